@@ -1,11 +1,11 @@
 # mpi_api.mk - MPI for simulated nodes: the library of node programs, and its headers. Included by the Makefile.
 #   $(NODE)/libmpi.a           linked where nxcc goes by the name of mpicc, mpif77 or mpif90, or with -lmpi
-#   $(NODE)/mpi_include/       mpi.h, mpif.h, and Fortran's module mpi
+#   $(NODE)/mpi_include/       mpi.h, mpif.h, and Fortran's modules mpi and mpi_f08
 MPI_LIB_SRC := $(wildcard mpi_api/lib/*.c mpi_api/fortran/*.c)
 MPI_LIB_OBJ := $(MPI_LIB_SRC:%.c=$(NODE)/obj/%.o)
 MPI_TELL    := $(NODE)/obj/mpi_api/lib/tell.o
-MPI_LIB_HDR := $(wildcard mpi_api/*/*.h mpi_api/core/*.def)
-MPI_HEADERS := $(addprefix $(NODE)/mpi_include/,mpi.h mpi_calls.h mpif.h mpi.mod)
+MPI_LIB_HDR := $(wildcard mpi_api/*/*.h)
+MPI_HEADERS := $(addprefix $(NODE)/mpi_include/,mpi.h mpi_calls.h mpif.h mpi.mod mpi_f08.mod)
 
 $(MPI_LIB_OBJ): $(NODE)/obj/mpi_api/%.o: mpi_api/%.c $(MPI_LIB_HDR) $(NODE_TOOLS)
 	@mkdir -p $(@D)
@@ -34,6 +34,14 @@ $(NODE)/mpi_include/mpif.h: mpi_api/fortran/make-mpif mpi_api/include/mpi.h
 $(NODE)/mpi_include/mpi.mod: mpi_api/fortran/mpi_module.f90 $(NODE)/mpi_include/mpif.h
 	$(call say,NXF77,$@)
 	$(NODE_FC) -I$(@D) -J$(@D) -fsyntax-only $<
+
+$(NODE)/obj/mpi_f08.f90: mpi_api/fortran/make-f08 mpi_api/include/mpi.h $(NODE)/mpi_include/mpif.h mpi_api/include/mpi_calls.h
+	@mkdir -p $(@D)
+	GCC=$(NODE_CC) $(wordlist 1, 3, $^) >$@.new && mv $@.new $@
+
+$(NODE)/mpi_include/mpi_f08.mod: $(NODE)/obj/mpi_f08.f90
+	$(call say,NXF77,$@)
+	$(NODE_FC) -J$(@D) -fsyntax-only $<
 
 mpi-suite: setup ## Run MPICH's own tests (Debian's source package) on simulated nodes
 	$(SUBMAKE) all

@@ -1,7 +1,6 @@
 /* core.c - see core.h: MPI's messages, on a node's mailbox. */
 #include "mpi_api/core/core.h"
 #include <stdint.h>
-#include <string.h>
 #include "mpi_api/core/completion.h"
 #include "nx_api/calls/msgwait.h"
 #include "nx_api/calls/probe.h"
@@ -11,14 +10,14 @@
 #include "os/gate.h"
 
 static const char *const names[] = {
-#define MPI_NAME(name) "MPI_" #name,
-#include "mpi_api/core/mpi_names.def"
-#undef MPI_NAME
+#define MPI_DECLARE(name, parameters) "MPI_" #name,
+#include "mpi_api/include/mpi_calls.h"
+#undef MPI_DECLARE
 };
 
 const char *completion_call_name(int call)
 {
-    return call >= 0 && call < MPI_CALLS ? names[call] : "MPI";
+    return call >= 0 && call < CALL_Other ? names[call] : "MPI";
 }
 
 static struct node *enter(int call)
@@ -207,9 +206,7 @@ long node_nxm_fail(int call, const char *text);
 long node_nxm_fail(int call, const char *text)
 {
     struct node *n = enter(call);
-    if (call == CALL_Other && strncmp(text, "MPI_", 4) == 0)
-        node_fail(n, "%s", text);
-    node_fail(n, "%s: %s", call == CALL_Other ? "MPI" : completion_call_name(call), text);
+    node_fail(n, "%s: %s", n->call, text);
 }
 
 long node_nxm_number(enum nxm_number which);

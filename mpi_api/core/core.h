@@ -10,12 +10,12 @@
 #define MPI_CORE_H
 #include <stdbool.h>
 
-/* MPI's calls by number, for reports: mpi_names.def. */
+/* MPI's calls by number, for reports; the last: none of them. */
 enum nxm_call {
-#define MPI_NAME(name) CALL_##name,
-#include "mpi_api/core/mpi_names.def"
-#undef MPI_NAME
-    MPI_CALLS
+#define MPI_DECLARE(name, parameters) CALL_##name,
+#include "mpi_api/include/mpi_calls.h"
+#undef MPI_DECLARE
+    CALL_Other
 };
 
 /* NX's messages have other process types, unless a program gives itself one of so many. */

@@ -15,19 +15,19 @@ FORTRAN(null_copy_fn,
         (f_int * comm, f_int *key, f_int *extra, f_int *in, f_int *out, f_int *flag, f_int *ierr))
 {
     (void)comm, (void)key, (void)extra, (void)in, (void)out;
-    *flag = 0, *ierr = MPI_SUCCESS;
+    *flag = 0, IERR = MPI_SUCCESS;
 }
 
 FORTRAN(dup_fn, (f_int * comm, f_int *key, f_int *extra, f_int *in, f_int *out, f_int *flag, f_int *ierr))
 {
     (void)comm, (void)key, (void)extra;
-    *out = *in, *flag = 1, *ierr = MPI_SUCCESS;
+    *out = *in, *flag = 1, IERR = MPI_SUCCESS;
 }
 
 FORTRAN(null_delete_fn, (f_int * comm, f_int *key, f_int *value, f_int *extra, f_int *ierr))
 {
     (void)comm, (void)key, (void)value, (void)extra;
-    *ierr = MPI_SUCCESS;
+    IERR = MPI_SUCCESS;
 }
 
 static int call_copy(MPI_Comm comm, int key, void *extra, void *in, void *out, int *flag)
@@ -51,41 +51,41 @@ FORTRAN(keyval_create, (f_copy * copy, f_delete *drop, f_int *key, f_int *extra,
 {
     struct f_key *k = get_memory(sizeof *k); /* as long as the key */
     *k = (struct f_key){copy, drop, extra};
-    *ierr = MPI_Comm_create_keyval(call_copy, call_delete, key, k);
+    IERR = MPI_Comm_create_keyval(call_copy, call_delete, key, k);
 }
 
 FORTRAN(keyval_free, (f_int * key, f_int *ierr))
 {
-    *ierr = MPI_Comm_free_keyval(key);
+    IERR = MPI_Comm_free_keyval(key);
 }
 
 FORTRAN(attr_put, (f_int * comm, f_int *key, f_int *value, f_int *ierr))
 {
-    *ierr = MPI_Comm_set_attr(F_COMM(comm), *key, (void *)(intptr_t)*value);
+    IERR = MPI_Comm_set_attr(F_COMM(comm), *key, (void *)(intptr_t)*value);
 }
 
 FORTRAN(attr_get, (f_int * comm, f_int *key, f_int *value, f_int *flag, f_int *ierr))
 {
     void *found;
-    *ierr = MPI_Comm_get_attr(F_COMM(comm), *key, &found, flag);
-    if (!*ierr && *flag) /* those of MPI's own are pointers to numbers */
+    IERR = MPI_Comm_get_attr(F_COMM(comm), *key, &found, flag);
+    if (!IERR && *flag) /* those of MPI's own are pointers to numbers */
         *value = *key <= MPI_LASTUSEDCODE ? *(int *)found : (f_int)(intptr_t)found;
 }
 
 FORTRAN(attr_delete, (f_int * comm, f_int *key, f_int *ierr))
 {
-    *ierr = MPI_Comm_delete_attr(F_COMM(comm), *key);
+    IERR = MPI_Comm_delete_attr(F_COMM(comm), *key);
 }
 
 FORTRAN(comm_get_attr, (f_int * comm, f_int *key, MPI_Aint *value, f_int *flag, f_int *ierr))
 {
     void *found;
-    *ierr = MPI_Comm_get_attr(F_COMM(comm), *key, &found, flag);
-    if (!*ierr && *flag)
+    IERR = MPI_Comm_get_attr(F_COMM(comm), *key, &found, flag);
+    if (!IERR && *flag)
         *value = *key <= MPI_LASTUSEDCODE ? *(int *)found : (MPI_Aint)found;
 }
 
 FORTRAN(comm_set_attr, (f_int * comm, f_int *key, MPI_Aint *value, f_int *ierr))
 {
-    *ierr = MPI_Comm_set_attr(F_COMM(comm), *key, (void *)*value);
+    IERR = MPI_Comm_set_attr(F_COMM(comm), *key, (void *)*value);
 }

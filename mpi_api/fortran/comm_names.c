@@ -5,23 +5,23 @@
 
 FORTRAN(group_size, (f_int * group, f_int *size, f_int *ierr))
 {
-    *ierr = MPI_Group_size(F_GROUP(group), size);
+    IERR = MPI_Group_size(F_GROUP(group), size);
 }
 
 FORTRAN(group_rank, (f_int * group, f_int *rank, f_int *ierr))
 {
-    *ierr = MPI_Group_rank(F_GROUP(group), rank);
+    IERR = MPI_Group_rank(F_GROUP(group), rank);
 }
 
 FORTRAN(group_translate_ranks,
         (f_int * from, f_int *count, f_int *ranks, f_int *to, f_int *translated, f_int *ierr))
 {
-    *ierr = MPI_Group_translate_ranks(F_GROUP(from), *count, ranks, F_GROUP(to), translated);
+    IERR = MPI_Group_translate_ranks(F_GROUP(from), *count, ranks, F_GROUP(to), translated);
 }
 
 FORTRAN(group_compare, (f_int * a, f_int *b, f_int *result, f_int *ierr))
 {
-    *ierr = MPI_Group_compare(F_GROUP(a), F_GROUP(b), result);
+    IERR = MPI_Group_compare(F_GROUP(a), F_GROUP(b), result);
 }
 
 #define OF_TWO(name, c_name)                                                                                 \
@@ -63,7 +63,7 @@ FORTRAN(group_free, (f_int * group, f_int *ierr))
 #define ASK_COMM(name, c_name)                                                                               \
     FORTRAN(name, (f_int * comm, f_int * value, f_int * ierr))                                               \
     {                                                                                                        \
-        *ierr = MPI_##c_name(F_COMM(comm), value);                                                           \
+        IERR = MPI_##c_name(F_COMM(comm), value);                                                            \
     }
 ASK_COMM(comm_size, Comm_size)
 ASK_COMM(comm_rank, Comm_rank)
@@ -74,7 +74,7 @@ ASK_COMM(cartdim_get, Cartdim_get)
 
 FORTRAN(comm_compare, (f_int * a, f_int *b, f_int *result, f_int *ierr))
 {
-    *ierr = MPI_Comm_compare(F_COMM(a), F_COMM(b), result);
+    IERR = MPI_Comm_compare(F_COMM(a), F_COMM(b), result);
 }
 
 FORTRAN(comm_group, (f_int * comm, f_int *group, f_int *ierr))
@@ -95,6 +95,20 @@ FORTRAN(comm_dup, (f_int * comm, f_int *to, f_int *ierr))
 FORTRAN(comm_dup_with_info, (f_int * comm, f_int *info, f_int *to, f_int *ierr))
 {
     NEW(MPI_Comm, to, MPI_Comm_dup_with_info(F_COMM(comm), F_HANDLE(MPI_Info, *info), &made));
+}
+
+FORTRAN(comm_idup, (f_int * comm, f_int *to, f_int *request, f_int *ierr))
+{
+    MPI_Comm copy = MPI_COMM_NULL;
+    NEW(MPI_Request, request, MPI_Comm_idup(F_COMM(comm), &copy, &made));
+    *to = F_OF(copy);
+}
+
+FORTRAN(comm_idup_with_info, (f_int * comm, f_int *info, f_int *to, f_int *request, f_int *ierr))
+{
+    MPI_Comm copy = MPI_COMM_NULL;
+    NEW(MPI_Request, request, MPI_Comm_idup_with_info(F_COMM(comm), F_HANDLE(MPI_Info, *info), &copy, &made));
+    *to = F_OF(copy);
 }
 
 FORTRAN(comm_create_group, (f_int * comm, f_int *group, f_int *tag, f_int *to, f_int *ierr))
@@ -134,7 +148,7 @@ FORTRAN(comm_get_parent, (f_int * parent, f_int *ierr))
 
 FORTRAN(comm_set_info, (f_int * comm, f_int *info, f_int *ierr))
 {
-    *ierr = MPI_Comm_set_info(F_COMM(comm), F_HANDLE(MPI_Info, *info));
+    IERR = MPI_Comm_set_info(F_COMM(comm), F_HANDLE(MPI_Info, *info));
 }
 
 FORTRAN(comm_get_info, (f_int * comm, f_int *info, f_int *ierr))

@@ -27,12 +27,12 @@ FORTRAN(dist_graph_create, (f_int * comm, f_int *count, f_int *sources, f_int *d
 
 FORTRAN(dist_graph_neighbors_count, (f_int * comm, f_int *ins, f_int *outs, f_int *weighted, f_int *ierr))
 {
-    *ierr = MPI_Dist_graph_neighbors_count(F_COMM(comm), ins, outs, weighted);
+    IERR = MPI_Dist_graph_neighbors_count(F_COMM(comm), ins, outs, weighted);
 }
 
 FORTRAN(dist_graph_neighbors, (f_int * comm, f_int *most_ins, f_int *sources, f_int *in_weights,
                                f_int *most_outs, f_int *dests, f_int *out_weights, f_int *ierr))
 {
-    *ierr = MPI_Dist_graph_neighbors(F_COMM(comm), *most_ins, sources, weights(in_weights), *most_outs, dests,
-                                     weights(out_weights));
+    IERR = MPI_Dist_graph_neighbors(F_COMM(comm), *most_ins, sources, weights(in_weights), *most_outs, dests,
+                                    weights(out_weights));
 }

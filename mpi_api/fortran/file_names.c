@@ -20,7 +20,7 @@ FORTRAN(file_close, (f_int * file, f_int *ierr))
 FORTRAN(file_delete, (const char *name, f_int *info, f_int *ierr, size_t length))
 {
     char *text = f_text(name, length);
-    *ierr = MPI_File_delete(text, F_INFO(info));
+    IERR = MPI_File_delete(text, F_INFO(info));
     free(text);
 }
 
@@ -29,12 +29,12 @@ FORTRAN(file_delete, (const char *name, f_int *info, f_int *ierr, size_t length)
 #define SET(name, c_name, type)                                                                              \
     FORTRAN(name, (f_int * file, type * value, f_int * ierr))                                                \
     {                                                                                                        \
-        *ierr = MPI_##c_name(F_FILE(file), *value);                                                          \
+        IERR = MPI_##c_name(F_FILE(file), *value);                                                           \
     }
 #define GET(name, c_name, type)                                                                              \
     FORTRAN(name, (f_int * file, type * value, f_int * ierr))                                                \
     {                                                                                                        \
-        *ierr = MPI_##c_name(F_FILE(file), value);                                                           \
+        IERR = MPI_##c_name(F_FILE(file), value);                                                            \
     }
 SET(file_set_size, File_set_size, MPI_Offset)
 SET(file_preallocate, File_preallocate, MPI_Offset)
@@ -53,7 +53,7 @@ FORTRAN(file_get_group, (f_int * file, f_int *group, f_int *ierr))
 
 FORTRAN(file_set_info, (f_int * file, f_int *info, f_int *ierr))
 {
-    *ierr = MPI_File_set_info(F_FILE(file), F_INFO(info));
+    IERR = MPI_File_set_info(F_FILE(file), F_INFO(info));
 }
 
 FORTRAN(file_get_info, (f_int * file, f_int *info, f_int *ierr))
@@ -63,7 +63,7 @@ FORTRAN(file_get_info, (f_int * file, f_int *info, f_int *ierr))
 
 FORTRAN(file_sync, (f_int * file, f_int *ierr))
 {
-    *ierr = MPI_File_sync(F_FILE(file));
+    IERR = MPI_File_sync(F_FILE(file));
 }
 
 FORTRAN(file_create_errhandler, (MPI_File_errhandler_function * function, f_int *handler, f_int *ierr))
@@ -73,7 +73,7 @@ FORTRAN(file_create_errhandler, (MPI_File_errhandler_function * function, f_int 
 
 FORTRAN(file_set_errhandler, (f_int * file, f_int *handler, f_int *ierr))
 {
-    *ierr = MPI_File_set_errhandler(F_FILE(file), F_HANDLE(MPI_Errhandler, *handler));
+    IERR = MPI_File_set_errhandler(F_FILE(file), F_HANDLE(MPI_Errhandler, *handler));
 }
 
 FORTRAN(file_get_errhandler, (f_int * file, f_int *handler, f_int *ierr))
@@ -87,7 +87,7 @@ FORTRAN(file_set_view, (f_int * file, MPI_Offset *displacement, f_int *etype, f_
                         const char *representation, f_int *info, f_int *ierr, size_t length))
 {
     char *text = f_text(representation, length);
-    *ierr =
+    IERR =
         MPI_File_set_view(F_FILE(file), *displacement, F_TYPE(etype), F_TYPE(filetype), text, F_INFO(info));
     free(text);
 }
@@ -97,8 +97,8 @@ FORTRAN(file_get_view, (f_int * file, MPI_Offset *displacement, f_int *etype, f_
 {
     char text[MPI_MAX_DATAREP_STRING];
     MPI_Datatype types[2];
-    *ierr = MPI_File_get_view(F_FILE(file), displacement, &types[0], &types[1], text);
-    if (*ierr)
+    IERR = MPI_File_get_view(F_FILE(file), displacement, &types[0], &types[1], text);
+    if (IERR)
         return;
     *etype = F_OF(types[0]), *filetype = F_OF(types[1]);
     f_give_text(representation, room, text);
@@ -106,22 +106,22 @@ FORTRAN(file_get_view, (f_int * file, MPI_Offset *displacement, f_int *etype, f_
 
 FORTRAN(file_get_type_extent, (f_int * file, f_int *type, MPI_Aint *extent, f_int *ierr))
 {
-    *ierr = MPI_File_get_type_extent(F_FILE(file), F_TYPE(type), extent);
+    IERR = MPI_File_get_type_extent(F_FILE(file), F_TYPE(type), extent);
 }
 
 FORTRAN(file_seek, (f_int * file, MPI_Offset *place, f_int *whence, f_int *ierr))
 {
-    *ierr = MPI_File_seek(F_FILE(file), *place, *whence);
+    IERR = MPI_File_seek(F_FILE(file), *place, *whence);
 }
 
 FORTRAN(file_seek_shared, (f_int * file, MPI_Offset *place, f_int *whence, f_int *ierr))
 {
-    *ierr = MPI_File_seek_shared(F_FILE(file), *place, *whence);
+    IERR = MPI_File_seek_shared(F_FILE(file), *place, *whence);
 }
 
 FORTRAN(file_get_byte_offset, (f_int * file, MPI_Offset *place, MPI_Offset *bytes, f_int *ierr))
 {
-    *ierr = MPI_File_get_byte_offset(F_FILE(file), *place, bytes);
+    IERR = MPI_File_get_byte_offset(F_FILE(file), *place, bytes);
 }
 
 /* --- reading and writing --- */
@@ -129,7 +129,7 @@ FORTRAN(file_get_byte_offset, (f_int * file, MPI_Offset *place, MPI_Offset *byte
 #define HERE(name, c_name)                                                                                   \
     FORTRAN(name, (f_int * file, void *buf, f_int *count, f_int *type, f_int *status, f_int *ierr))          \
     {                                                                                                        \
-        *ierr = MPI_##c_name(F_FILE(file), f_buffer(buf), *count, F_TYPE(type), f_status(status));           \
+        IERR = MPI_##c_name(F_FILE(file), f_buffer(buf), *count, F_TYPE(type), f_status(status));            \
     }
 #define HERE_LATER(name, c_name)                                                                             \
     FORTRAN(name, (f_int * file, void *buf, f_int *count, f_int *type, f_int *request, f_int *ierr))         \
@@ -141,7 +141,7 @@ FORTRAN(file_get_byte_offset, (f_int * file, MPI_Offset *place, MPI_Offset *byte
     FORTRAN(name, (f_int * file, MPI_Offset * place, void *buf, f_int *count, f_int *type, f_int *status,    \
                    f_int *ierr))                                                                             \
     {                                                                                                        \
-        *ierr = MPI_##c_name(F_FILE(file), *place, f_buffer(buf), *count, F_TYPE(type), f_status(status));   \
+        IERR = MPI_##c_name(F_FILE(file), *place, f_buffer(buf), *count, F_TYPE(type), f_status(status));    \
     }
 #define THERE_LATER(name, c_name)                                                                            \
     FORTRAN(name, (f_int * file, MPI_Offset * place, void *buf, f_int *count, f_int *type, f_int *request,   \
@@ -153,17 +153,17 @@ FORTRAN(file_get_byte_offset, (f_int * file, MPI_Offset *place, MPI_Offset *byte
 #define SECOND(name, c_name)                                                                                 \
     FORTRAN(name, (f_int * file, void *buf, f_int *status, f_int *ierr))                                     \
     {                                                                                                        \
-        *ierr = MPI_##c_name(F_FILE(file), f_buffer(buf), f_status(status));                                 \
+        IERR = MPI_##c_name(F_FILE(file), f_buffer(buf), f_status(status));                                  \
     }
 #define FIRST(name, c_name)                                                                                  \
     FORTRAN(name, (f_int * file, void *buf, f_int *count, f_int *type, f_int *ierr))                         \
     {                                                                                                        \
-        *ierr = MPI_##c_name(F_FILE(file), f_buffer(buf), *count, F_TYPE(type));                             \
+        IERR = MPI_##c_name(F_FILE(file), f_buffer(buf), *count, F_TYPE(type));                              \
     }
 #define FIRST_THERE(name, c_name)                                                                            \
     FORTRAN(name, (f_int * file, MPI_Offset * place, void *buf, f_int *count, f_int *type, f_int *ierr))     \
     {                                                                                                        \
-        *ierr = MPI_##c_name(F_FILE(file), *place, f_buffer(buf), *count, F_TYPE(type));                     \
+        IERR = MPI_##c_name(F_FILE(file), *place, f_buffer(buf), *count, F_TYPE(type));                      \
     }
 #define CALLS(way)                                                                                           \
     HERE(file_##way, File_##way)                                                                             \
@@ -185,3 +185,42 @@ FORTRAN(file_get_byte_offset, (f_int * file, MPI_Offset *place, MPI_Offset *byte
     SECOND(file_##way##_at_all_end, File_##way##_at_all_end)
 CALLS(read)
 CALLS(write)
+
+/* --- representations of data --- */
+
+/* The function for extents is Fortran's. */
+struct f_datarep {
+    void (*extent)(f_int *type, MPI_Aint *extent, MPI_Aint *extra, f_int *ierr);
+    MPI_Aint extra;
+};
+
+static int extent_in_file(MPI_Datatype type, MPI_Aint *extent, void *extra)
+{
+    struct f_datarep *r = extra;
+    f_int handle = F_OF(type), code = MPI_SUCCESS;
+    r->extent(&handle, extent, &r->extra, &code);
+    return code;
+}
+
+/* Stands for MPI_CONVERSION_FN_NULL, and is never called. */
+void mpi_conversion_fn_null_(void);
+void mpi_conversion_fn_null_(void) {}
+
+static MPI_Datarep_conversion_function *conversion(void (*function)(void))
+{
+    return function == mpi_conversion_fn_null_ ? MPI_CONVERSION_FN_NULL
+                                               : (MPI_Datarep_conversion_function *)(void *)function;
+}
+
+FORTRAN(register_datarep, (const char *name, void (*read)(void), void (*write)(void),
+                           void (*extent)(f_int *, MPI_Aint *, MPI_Aint *, f_int *), MPI_Aint *extra,
+                           f_int *ierr, size_t length))
+{
+    char *text = f_text(name, length);
+    struct f_datarep *r = get_memory(sizeof *r); /* as long as the representation */
+    *r = (struct f_datarep){extent, *extra};
+    IERR = MPI_Register_datarep(text, conversion(read), conversion(write), extent_in_file, r);
+    if (IERR)
+        free(r);
+    free(text);
+}

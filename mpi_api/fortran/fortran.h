@@ -5,7 +5,7 @@
 #define MPI_FORTRAN_H
 #include <stdlib.h>
 #include <string.h>
-#include "mpi_api/lib/lib.h"
+#include "mpi_api/lib/coll.h"
 
 typedef MPI_Fint f_int;
 
@@ -14,6 +14,10 @@ typedef MPI_Fint f_int;
     void mpi_##name##_ parameters __attribute__((weak, alias("pmpi_" #name "_")));                           \
     void pmpi_##name##_ parameters;                                                                          \
     void pmpi_##name##_ parameters
+
+/* Where a subroutine puts its error code: its last argument, which programs with mpi_f08 may leave out. */
+extern f_int f_no_ierr;
+#define IERR (*(ierr ? ierr : &f_no_ierr))
 
 /* Variables of COMMON blocks of mpif.h, whose addresses mean something. MPI_BOTTOM is as good a place as 0:
  * Fortran's addresses are counted from there, so that they fit into an INTEGER. */
@@ -42,7 +46,7 @@ static inline MPI_Status *f_status(f_int *s)
 #define WITH(type, x, call)                                                                                  \
     do {                                                                                                     \
         type handle = F_HANDLE(type, *(x));                                                                  \
-        *ierr = (call);                                                                                      \
+        IERR = (call);                                                                                       \
         *(x) = F_OF(handle);                                                                                 \
     } while (0)
 
@@ -50,8 +54,8 @@ static inline MPI_Status *f_status(f_int *s)
 #define NEW(type, x, call)                                                                                   \
     do {                                                                                                     \
         type made;                                                                                           \
-        *ierr = (call);                                                                                      \
-        if (!*ierr)                                                                                          \
+        IERR = (call);                                                                                       \
+        if (!IERR)                                                                                           \
             *(x) = F_OF(made);                                                                               \
     } while (0)
 
@@ -63,6 +67,25 @@ static inline MPI_Datatype *f_types(const f_int *list, int count)
         types[i] = F_TYPE(&list[i]);
     return types;
 }
+
+/* The same of two lists, one behind the other: of those that are sent, and of those that are received. */
+static inline MPI_Datatype *f_both_types(const f_int *out, int outs, const f_int *in, int ins)
+{
+    MPI_Datatype *types = get_memory(((size_t)outs + (size_t)ins) * sizeof *types);
+    for (int i = 0; i < outs + ins; i++)
+        types[i] = F_TYPE(i < outs ? &out[i] : &in[i - outs]);
+    return types;
+}
+
+/* A call with such a list, which makes a request: the list lasts as long as that. */
+#define NEW_WITH_LIST(x, list, call)                                                                         \
+    do {                                                                                                     \
+        NEW(MPI_Request, x, call);                                                                           \
+        if (IERR)                                                                                            \
+            free(list);                                                                                      \
+        else                                                                                                 \
+            coll_keep_list(F_HANDLE(MPI_Request, *(x)), list);                                               \
+    } while (0)
 
 /* A text without the blanks behind it, to be freed; a text with blanks behind it. */
 static inline char *f_text(const char *s, size_t length)
@@ -84,14 +107,14 @@ static inline void f_give_text(char *to, size_t room, const char *text)
     FORTRAN(lower##_set_name, (f_int * handle, const char *name, f_int *ierr, size_t length))                \
     {                                                                                                        \
         char *text = f_text(name, length);                                                                   \
-        *ierr = MPI_##Upper##_set_name(F_HANDLE_OF(handle), text);                                           \
+        IERR = MPI_##Upper##_set_name(F_HANDLE_OF(handle), text);                                            \
         free(text);                                                                                          \
     }                                                                                                        \
     FORTRAN(lower##_get_name, (f_int * handle, char *name, f_int *length, f_int *ierr, size_t room))         \
     {                                                                                                        \
         char text[MPI_MAX_OBJECT_NAME];                                                                      \
-        *ierr = MPI_##Upper##_get_name(F_HANDLE_OF(handle), text, length);                                   \
-        if (!*ierr)                                                                                          \
+        IERR = MPI_##Upper##_get_name(F_HANDLE_OF(handle), text, length);                                    \
+        if (!IERR)                                                                                           \
             f_give_text(name, room, text);                                                                   \
     }
 #endif

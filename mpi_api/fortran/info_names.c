@@ -29,7 +29,7 @@ FORTRAN(info_set,
         (f_int * info, const char *key, const char *value, f_int *ierr, size_t key_length, size_t length))
 {
     char *key_text = trimmed(key, key_length), *text = trimmed(value, length);
-    *ierr = MPI_Info_set(F_INFO(info), key_text, text);
+    IERR = MPI_Info_set(F_INFO(info), key_text, text);
     free(key_text);
     free(text);
 }
@@ -38,8 +38,8 @@ FORTRAN(info_get, (f_int * info, const char *key, f_int *most, char *value, f_in
                    size_t key_length, size_t room))
 {
     char *key_text = trimmed(key, key_length), *text = get_memory((size_t)*most + 1);
-    *ierr = MPI_Info_get(F_INFO(info), key_text, *most, text, flag);
-    if (!*ierr && *flag)
+    IERR = MPI_Info_get(F_INFO(info), key_text, *most, text, flag);
+    if (!IERR && *flag)
         f_give_text(value, room, text);
     free(key_text);
     free(text);
@@ -49,27 +49,27 @@ FORTRAN(info_get_valuelen,
         (f_int * info, const char *key, f_int *length, f_int *flag, f_int *ierr, size_t key_length))
 {
     char *key_text = trimmed(key, key_length);
-    *ierr = MPI_Info_get_valuelen(F_INFO(info), key_text, length, flag);
+    IERR = MPI_Info_get_valuelen(F_INFO(info), key_text, length, flag);
     free(key_text);
 }
 
 FORTRAN(info_delete, (f_int * info, const char *key, f_int *ierr, size_t key_length))
 {
     char *key_text = trimmed(key, key_length);
-    *ierr = MPI_Info_delete(F_INFO(info), key_text);
+    IERR = MPI_Info_delete(F_INFO(info), key_text);
     free(key_text);
 }
 
 FORTRAN(info_get_nkeys, (f_int * info, f_int *count, f_int *ierr))
 {
-    *ierr = MPI_Info_get_nkeys(F_INFO(info), count);
+    IERR = MPI_Info_get_nkeys(F_INFO(info), count);
 }
 
 FORTRAN(info_get_nthkey, (f_int * info, f_int *n, char *key, f_int *ierr, size_t room))
 {
     char text[MPI_MAX_INFO_KEY];
-    *ierr = MPI_Info_get_nthkey(F_INFO(info), *n, text);
-    if (!*ierr)
+    IERR = MPI_Info_get_nthkey(F_INFO(info), *n, text);
+    if (!IERR)
         f_give_text(key, room, text);
 }
 
@@ -79,8 +79,8 @@ FORTRAN(info_get_string, (f_int * info, const char *key, f_int *room, char *valu
     size_t some = *room < 0 ? 0 : (size_t)*room < length ? (size_t)*room : length;
     char *key_text = trimmed(key, key_length), *text = get_memory(some + 1);
     int most = (int)some + 1;
-    *ierr = MPI_Info_get_string(F_INFO(info), key_text, &most, text, flag);
-    if (!*ierr && *flag) {
+    IERR = MPI_Info_get_string(F_INFO(info), key_text, &most, text, flag);
+    if (!IERR && *flag) {
         if (some)
             f_give_text(value, length, text);
         *room = most - 1;

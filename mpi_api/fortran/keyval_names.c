@@ -6,13 +6,13 @@ KEYS(type, Type, MPI_Datatype)
 
 FORTRAN(type_set_attr, (f_int * type, f_int *key, MPI_Aint *value, f_int *ierr))
 {
-    *ierr = MPI_Type_set_attr(F_TYPE(type), *key, (void *)*value);
+    IERR = MPI_Type_set_attr(F_TYPE(type), *key, (void *)*value);
 }
 
 FORTRAN(type_get_attr, (f_int * type, f_int *key, MPI_Aint *value, f_int *flag, f_int *ierr))
 {
     void *found;
-    *ierr = MPI_Type_get_attr(F_TYPE(type), *key, &found, flag);
-    if (!*ierr && *flag)
+    IERR = MPI_Type_get_attr(F_TYPE(type), *key, &found, flag);
+    if (!IERR && *flag)
         *value = (MPI_Aint)found;
 }

@@ -45,31 +45,31 @@ static int make_key(f_copy *copy, f_delete *drop, f_int *key, MPI_Aint extra)
                                    MPI_Aint * out, f_int * flag, f_int * ierr))                              \
     {                                                                                                        \
         (void)handle, (void)key, (void)extra, (void)in, (void)out;                                           \
-        *flag = 0, *ierr = MPI_SUCCESS;                                                                      \
+        *flag = 0, IERR = MPI_SUCCESS;                                                                       \
     }                                                                                                        \
     FORTRAN(lower##_dup_fn, (f_int * handle, f_int * key, MPI_Aint * extra, MPI_Aint * in, MPI_Aint * out,   \
                              f_int * flag, f_int * ierr))                                                    \
     {                                                                                                        \
         (void)handle, (void)key, (void)extra;                                                                \
-        *out = *in, *flag = 1, *ierr = MPI_SUCCESS;                                                          \
+        *out = *in, *flag = 1, IERR = MPI_SUCCESS;                                                           \
     }                                                                                                        \
     FORTRAN(lower##_null_delete_fn,                                                                          \
             (f_int * handle, f_int * key, MPI_Aint * value, MPI_Aint * extra, f_int * ierr))                 \
     {                                                                                                        \
         (void)handle, (void)key, (void)value, (void)extra;                                                   \
-        *ierr = MPI_SUCCESS;                                                                                 \
+        IERR = MPI_SUCCESS;                                                                                  \
     }                                                                                                        \
     FORTRAN(lower##_create_keyval,                                                                           \
             (f_copy * copy, f_delete * drop, f_int * key, MPI_Aint * extra, f_int * ierr))                   \
     {                                                                                                        \
-        *ierr = make_key(copy, drop, key, *extra);                                                           \
+        IERR = make_key(copy, drop, key, *extra);                                                            \
     }                                                                                                        \
     FORTRAN(lower##_free_keyval, (f_int * key, f_int * ierr))                                                \
     {                                                                                                        \
-        *ierr = attribute_key_free("MPI_" #Upper "_free_keyval", key);                                       \
+        IERR = attribute_key_free(CALL_##Upper##_free_keyval, key);                                          \
     }                                                                                                        \
     FORTRAN(lower##_delete_attr, (f_int * handle, f_int * key, f_int * ierr))                                \
     {                                                                                                        \
-        *ierr = MPI_##Upper##_delete_attr(F_HANDLE(type, *handle), *key);                                    \
+        IERR = MPI_##Upper##_delete_attr(F_HANDLE(type, *handle), *key);                                     \
     }
 #endif

@@ -22,22 +22,22 @@ FORTRAN(imrecv, (void *buf, f_int *count, f_int *type, f_int *message, f_int *re
 {
     MPI_Request made;
     WITH(MPI_Message, message, MPI_Imrecv(f_buffer(buf), *count, F_TYPE(type), &handle, &made));
-    if (!*ierr)
+    if (!IERR)
         *request = F_OF(made);
 }
 
 FORTRAN(type_get_envelope,
         (f_int * type, f_int *ints, f_int *addresses, f_int *types, f_int *combiner, f_int *ierr))
 {
-    *ierr = MPI_Type_get_envelope(F_TYPE(type), ints, addresses, types, combiner);
+    IERR = MPI_Type_get_envelope(F_TYPE(type), ints, addresses, types, combiner);
 }
 
 FORTRAN(query_thread, (f_int * provided, f_int *ierr))
 {
-    *ierr = MPI_Query_thread(provided);
+    IERR = MPI_Query_thread(provided);
 }
 
 FORTRAN(is_thread_main, (f_int * is, f_int *ierr))
 {
-    *ierr = MPI_Is_thread_main(is);
+    IERR = MPI_Is_thread_main(is);
 }

@@ -5,12 +5,14 @@
 f_int mpi_fortran_in_place_, mpi_fortran_bottom_, mpi_fortran_unweighted_, mpi_fortran_weights_empty_;
 f_int mpi_fortran_status_ignore_[8], mpi_fortran_statuses_ignore_[8];
 
+f_int f_no_ierr;
+
 /* --- point to point --- */
 
 #define SEND(name, c_name)                                                                                   \
     FORTRAN(name, (void *buf, f_int *count, f_int *type, f_int *dest, f_int *tag, f_int *comm, f_int *ierr)) \
     {                                                                                                        \
-        *ierr = MPI_##c_name(f_buffer(buf), *count, F_TYPE(type), *dest, *tag, F_COMM(comm));                \
+        IERR = MPI_##c_name(f_buffer(buf), *count, F_TYPE(type), *dest, *tag, F_COMM(comm));                 \
     }
 #define SEND_WITH(name, c_name)                                                                              \
     FORTRAN(name, (void *buf, f_int *count, f_int *type, f_int *dest, f_int *tag, f_int *comm,               \
@@ -37,58 +39,78 @@ SEND_WITH(recv_init, Recv_init)
 FORTRAN(recv, (void *buf, f_int *count, f_int *type, f_int *source, f_int *tag, f_int *comm, f_int *status,
                f_int *ierr))
 {
-    *ierr = MPI_Recv(buf, *count, F_TYPE(type), *source, *tag, F_COMM(comm), f_status(status));
+    IERR = MPI_Recv(buf, *count, F_TYPE(type), *source, *tag, F_COMM(comm), f_status(status));
 }
 
 FORTRAN(sendrecv, (void *buf, f_int *count, f_int *type, f_int *dest, f_int *tag, void *into, f_int *room,
                    f_int *as, f_int *source, f_int *select, f_int *comm, f_int *status, f_int *ierr))
 {
-    *ierr = MPI_Sendrecv(buf, *count, F_TYPE(type), *dest, *tag, into, *room, F_TYPE(as), *source, *select,
-                         F_COMM(comm), f_status(status));
+    IERR = MPI_Sendrecv(buf, *count, F_TYPE(type), *dest, *tag, into, *room, F_TYPE(as), *source, *select,
+                        F_COMM(comm), f_status(status));
 }
 
 FORTRAN(sendrecv_replace, (void *buf, f_int *count, f_int *type, f_int *dest, f_int *tag, f_int *source,
                            f_int *select, f_int *comm, f_int *status, f_int *ierr))
 {
-    *ierr = MPI_Sendrecv_replace(buf, *count, F_TYPE(type), *dest, *tag, *source, *select, F_COMM(comm),
-                                 f_status(status));
+    IERR = MPI_Sendrecv_replace(buf, *count, F_TYPE(type), *dest, *tag, *source, *select, F_COMM(comm),
+                                f_status(status));
+}
+
+FORTRAN(isendrecv, (void *buf, f_int *count, f_int *type, f_int *dest, f_int *tag, void *into, f_int *room,
+                    f_int *as, f_int *source, f_int *select, f_int *comm, f_int *request, f_int *ierr))
+{
+    NEW(MPI_Request, request,
+        MPI_Isendrecv(buf, *count, F_TYPE(type), *dest, *tag, into, *room, F_TYPE(as), *source, *select,
+                      F_COMM(comm), &made));
+}
+
+FORTRAN(isendrecv_replace, (void *buf, f_int *count, f_int *type, f_int *dest, f_int *tag, f_int *source,
+                            f_int *select, f_int *comm, f_int *request, f_int *ierr))
+{
+    NEW(MPI_Request, request,
+        MPI_Isendrecv_replace(buf, *count, F_TYPE(type), *dest, *tag, *source, *select, F_COMM(comm), &made));
 }
 
 FORTRAN(buffer_attach, (void *buf, f_int *size, f_int *ierr))
 {
-    *ierr = MPI_Buffer_attach(buf, *size);
+    IERR = MPI_Buffer_attach(buf, *size);
 }
 
 FORTRAN(buffer_detach, (void *buf, f_int *size, f_int *ierr))
 {
     void *attached;
     (void)buf;
-    *ierr = MPI_Buffer_detach(&attached, size);
+    IERR = MPI_Buffer_detach(&attached, size);
 }
 
 FORTRAN(probe, (f_int * source, f_int *tag, f_int *comm, f_int *status, f_int *ierr))
 {
-    *ierr = MPI_Probe(*source, *tag, F_COMM(comm), f_status(status));
+    IERR = MPI_Probe(*source, *tag, F_COMM(comm), f_status(status));
 }
 
 FORTRAN(iprobe, (f_int * source, f_int *tag, f_int *comm, f_int *flag, f_int *status, f_int *ierr))
 {
-    *ierr = MPI_Iprobe(*source, *tag, F_COMM(comm), flag, f_status(status));
+    IERR = MPI_Iprobe(*source, *tag, F_COMM(comm), flag, f_status(status));
 }
 
 FORTRAN(get_count, (f_int * status, f_int *type, f_int *count, f_int *ierr))
 {
-    *ierr = MPI_Get_count((MPI_Status *)status, F_TYPE(type), count);
+    IERR = MPI_Get_count((MPI_Status *)status, F_TYPE(type), count);
 }
 
 FORTRAN(get_elements, (f_int * status, f_int *type, f_int *count, f_int *ierr))
 {
-    *ierr = MPI_Get_elements((MPI_Status *)status, F_TYPE(type), count);
+    IERR = MPI_Get_elements((MPI_Status *)status, F_TYPE(type), count);
+}
+
+FORTRAN(get_elements_x, (f_int * status, f_int *type, MPI_Count *count, f_int *ierr))
+{
+    IERR = MPI_Get_elements_x((MPI_Status *)status, F_TYPE(type), count);
 }
 
 FORTRAN(test_cancelled, (f_int * status, f_int *flag, f_int *ierr))
 {
-    *ierr = MPI_Test_cancelled((MPI_Status *)status, flag);
+    IERR = MPI_Test_cancelled((MPI_Status *)status, flag);
 }
 
 /* --- requests --- */
@@ -128,21 +150,21 @@ FORTRAN(test, (f_int * request, f_int *flag, f_int *status, f_int *ierr))
 FORTRAN(waitall, (f_int * count, f_int *list, f_int *statuses, f_int *ierr))
 {
     MPI_Request *r = requests_of(list, *count);
-    *ierr = MPI_Waitall(*count, r, f_status(statuses));
+    IERR = MPI_Waitall(*count, r, f_status(statuses));
     give_requests(r, list, *count);
 }
 
 FORTRAN(testall, (f_int * count, f_int *list, f_int *flag, f_int *statuses, f_int *ierr))
 {
     MPI_Request *r = requests_of(list, *count);
-    *ierr = MPI_Testall(*count, r, flag, f_status(statuses));
+    IERR = MPI_Testall(*count, r, flag, f_status(statuses));
     give_requests(r, list, *count);
 }
 
 FORTRAN(waitany, (f_int * count, f_int *list, f_int *index, f_int *status, f_int *ierr))
 {
     MPI_Request *r = requests_of(list, *count);
-    *ierr = MPI_Waitany(*count, r, index, f_status(status));
+    IERR = MPI_Waitany(*count, r, index, f_status(status));
     give_requests(r, list, *count);
     count_from_one(index);
 }
@@ -150,7 +172,7 @@ FORTRAN(waitany, (f_int * count, f_int *list, f_int *index, f_int *status, f_int
 FORTRAN(testany, (f_int * count, f_int *list, f_int *index, f_int *flag, f_int *status, f_int *ierr))
 {
     MPI_Request *r = requests_of(list, *count);
-    *ierr = MPI_Testany(*count, r, index, flag, f_status(status));
+    IERR = MPI_Testany(*count, r, index, flag, f_status(status));
     give_requests(r, list, *count);
     count_from_one(index);
 }
@@ -160,7 +182,7 @@ FORTRAN(testany, (f_int * count, f_int *list, f_int *index, f_int *flag, f_int *
             (f_int * count, f_int * list, f_int * done, f_int * indices, f_int * statuses, f_int * ierr))    \
     {                                                                                                        \
         MPI_Request *r = requests_of(list, *count);                                                          \
-        *ierr = MPI_##c_name(*count, r, done, indices, f_status(statuses));                                  \
+        IERR = MPI_##c_name(*count, r, done, indices, f_status(statuses));                                   \
         give_requests(r, list, *count);                                                                      \
         for (f_int i = 0; i < *done; i++)                                                                    \
             indices[i]++;                                                                                    \
@@ -176,7 +198,7 @@ FORTRAN(start, (f_int * request, f_int *ierr))
 FORTRAN(startall, (f_int * count, f_int *list, f_int *ierr))
 {
     MPI_Request *r = requests_of(list, *count);
-    *ierr = MPI_Startall(*count, r);
+    IERR = MPI_Startall(*count, r);
     give_requests(r, list, *count);
 }
 
@@ -195,7 +217,7 @@ FORTRAN(cancel, (f_int * request, f_int *ierr))
 #define COLL(name, c_name, parameters, arguments)                                                            \
     FORTRAN(name, (LIST parameters, f_int * comm, f_int * ierr))                                             \
     {                                                                                                        \
-        *ierr = MPI_##c_name(LIST arguments, F_COMM(comm));                                                  \
+        IERR = MPI_##c_name(LIST arguments, F_COMM(comm));                                                   \
     }                                                                                                        \
     FORTRAN(i##name, (LIST parameters, f_int * comm, f_int * request, f_int * ierr))                         \
     {                                                                                                        \
@@ -218,7 +240,7 @@ FORTRAN(cancel, (f_int * request, f_int *ierr))
 
 FORTRAN(barrier, (f_int * comm, f_int *ierr))
 {
-    *ierr = MPI_Barrier(F_COMM(comm));
+    IERR = MPI_Barrier(F_COMM(comm));
 }
 
 FORTRAN(ibarrier, (f_int * comm, f_int *request, f_int *ierr))
@@ -251,59 +273,48 @@ COLL(reduce_scatter_block, Reduce_scatter_block, (OPERANDS), (GIVEN))
 COLL(reduce_scatter, Reduce_scatter, (void *buf, void *into, f_int *counts, f_int *type, f_int *op),
      (f_buffer(buf), into, counts, F_TYPE(type), F_HANDLE(MPI_Op, *op)))
 
-/* The datatypes for each rank, and behind them those from each, to be freed; NULL: there is an error. */
-static MPI_Datatype *types_of_each(MPI_Comm comm, const f_int *types, const f_int *as, int *size, f_int *ierr)
+/* A list has a datatype for each rank. (A communicator that is none is for the call to refuse.) */
+static int ranks_of(MPI_Comm comm)
 {
-    int inter = 0;
-    *ierr = MPI_Comm_test_inter(comm, &inter);
-    if (!*ierr)
-        *ierr = inter ? MPI_Comm_remote_size(comm, size) : MPI_Comm_size(comm, size);
-    if (*ierr)
-        return NULL;
-    MPI_Datatype *lists = get_memory(2 * (size_t)*size * sizeof *lists);
-    for (int i = 0; i < *size; i++)
-        lists[i] = F_TYPE(&types[i]), lists[*size + i] = F_TYPE(&as[i]);
-    return lists;
+    const struct comm *c = comm_of(comm);
+    return c ? c->peers->size : 0;
 }
 
-FORTRAN(alltoallw, (void *buf, f_int *counts, f_int *at, f_int *types, void *into, f_int *rooms,
-                    f_int *places, f_int *as, f_int *comm, f_int *ierr))
+#define EACH                                                                                                 \
+    void *buf, f_int *counts, f_int *at, f_int *types, void *into, f_int *rooms, f_int *places, f_int *as,   \
+        f_int *comm
+#define GIVE_EACH f_buffer(buf), counts, at, list, into, rooms, places, list + ranks, F_COMM(comm)
+
+FORTRAN(alltoallw, (EACH, f_int *ierr))
 {
-    int size;
-    MPI_Datatype *lists = types_of_each(F_COMM(comm), types, as, &size, ierr);
-    if (!lists)
-        return;
-    *ierr = MPI_Alltoallw(f_buffer(buf), counts, at, lists, into, rooms, places, lists + size, F_COMM(comm));
-    free(lists);
+    int ranks = ranks_of(F_COMM(comm));
+    MPI_Datatype *list = f_both_types(types, ranks, as, ranks);
+    IERR = MPI_Alltoallw(GIVE_EACH);
+    free(list);
 }
 
-/* The lists last as long as the request. */
-FORTRAN(ialltoallw, (void *buf, f_int *counts, f_int *at, f_int *types, void *into, f_int *rooms,
-                     f_int *places, f_int *as, f_int *comm, f_int *request, f_int *ierr))
+FORTRAN(ialltoallw, (EACH, f_int *request, f_int *ierr))
 {
-    int size;
-    MPI_Request made;
-    MPI_Datatype *lists = types_of_each(F_COMM(comm), types, as, &size, ierr);
-    if (!lists)
-        return;
-    *ierr = MPI_Ialltoallw(f_buffer(buf), counts, at, lists, into, rooms, places, lists + size, F_COMM(comm),
-                           &made);
-    if (*ierr) {
-        free(lists);
-        return;
-    }
-    ((struct request *)object_of(made, REQUEST))->packed = lists;
-    *request = F_OF(made);
+    int ranks = ranks_of(F_COMM(comm));
+    MPI_Datatype *list = f_both_types(types, ranks, as, ranks);
+    NEW_WITH_LIST(request, list, MPI_Ialltoallw(GIVE_EACH, &made));
+}
+
+FORTRAN(alltoallw_init, (EACH, f_int *info, f_int *request, f_int *ierr))
+{
+    int ranks = ranks_of(F_COMM(comm));
+    MPI_Datatype *list = f_both_types(types, ranks, as, ranks);
+    NEW_WITH_LIST(request, list, MPI_Alltoallw_init(GIVE_EACH, F_HANDLE(MPI_Info, *info), &made));
 }
 
 FORTRAN(reduce_local, (void *in, void *inout, f_int *count, f_int *type, f_int *op, f_int *ierr))
 {
-    *ierr = MPI_Reduce_local(in, inout, *count, F_TYPE(type), F_HANDLE(MPI_Op, *op));
+    IERR = MPI_Reduce_local(in, inout, *count, F_TYPE(type), F_HANDLE(MPI_Op, *op));
 }
 
 FORTRAN(op_commutative, (f_int * op, f_int *commutes, f_int *ierr))
 {
-    *ierr = MPI_Op_commutative(F_HANDLE(MPI_Op, *op), commutes);
+    IERR = MPI_Op_commutative(F_HANDLE(MPI_Op, *op), commutes);
 }
 
 FORTRAN(op_create, (MPI_User_function * function, f_int *commutes, f_int *op, f_int *ierr))

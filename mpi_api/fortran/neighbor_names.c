@@ -4,7 +4,7 @@
 #define NEIGHBOR(name, parameters, arguments)                                                                \
     FORTRAN(neighbor_##name, (LIST parameters, f_int * comm, f_int * ierr))                                  \
     {                                                                                                        \
-        *ierr = MPI_Neighbor_##name(LIST arguments, F_COMM(comm));                                           \
+        IERR = MPI_Neighbor_##name(LIST arguments, F_COMM(comm));                                            \
     }                                                                                                        \
     FORTRAN(ineighbor_##name, (LIST parameters, f_int * comm, f_int * request, f_int * ierr))                \
     {                                                                                                        \
@@ -23,3 +23,39 @@ NEIGHBOR(allgatherv, (FROM, INTO_EACH), (GIVES, GETS_EACH))
 NEIGHBOR(alltoall, (FROM, INTO), (GIVES, GETS))
 NEIGHBOR(alltoallv, (void *buf, f_int *counts, f_int *at, f_int *type, INTO_EACH),
          (buf, counts, at, F_TYPE(type), GETS_EACH))
+
+/* The neighbours that send to the rank, and receive from it. (What has none is for the call to refuse.) */
+static void count_neighbors(MPI_Comm comm, int *ins, int *outs)
+{
+    const struct comm *c = comm_of(comm);
+    const struct topology *t = c ? c->topology : NULL;
+    *ins = *outs = 0;
+    if (t && t->kind == MPI_CART)
+        *ins = *outs = 2 * t->dims;
+    else if (t && t->kind == MPI_GRAPH)
+        MPI_Graph_neighbors_count(comm, c->local->rank, ins), *outs = *ins;
+    else if (t)
+        *ins = t->edge_count, *outs = t->outs;
+}
+
+#define EACH                                                                                                 \
+    void *buf, f_int *counts, MPI_Aint *at, f_int *types, void *into, f_int *rooms, MPI_Aint *places,        \
+        f_int *as, f_int *comm
+#define GIVE_EACH buf, counts, at, list, into, rooms, places, list + outs, F_COMM(comm)
+
+FORTRAN(neighbor_alltoallw, (EACH, f_int *ierr))
+{
+    int ins, outs;
+    count_neighbors(F_COMM(comm), &ins, &outs);
+    MPI_Datatype *list = f_both_types(types, outs, as, ins);
+    IERR = MPI_Neighbor_alltoallw(GIVE_EACH);
+    free(list);
+}
+
+FORTRAN(ineighbor_alltoallw, (EACH, f_int *request, f_int *ierr))
+{
+    int ins, outs;
+    count_neighbors(F_COMM(comm), &ins, &outs);
+    MPI_Datatype *list = f_both_types(types, outs, as, ins);
+    NEW_WITH_LIST(request, list, MPI_Ineighbor_alltoallw(GIVE_EACH, &made));
+}

@@ -3,17 +3,22 @@
 
 FORTRAN(request_get_status, (f_int * request, f_int *flag, f_int *status, f_int *ierr))
 {
-    *ierr = MPI_Request_get_status(F_HANDLE(MPI_Request, *request), flag, f_status(status));
+    IERR = MPI_Request_get_status(F_HANDLE(MPI_Request, *request), flag, f_status(status));
 }
 
 FORTRAN(status_set_elements, (f_int * status, f_int *type, f_int *count, f_int *ierr))
 {
-    *ierr = MPI_Status_set_elements((MPI_Status *)status, F_TYPE(type), *count);
+    IERR = MPI_Status_set_elements((MPI_Status *)status, F_TYPE(type), *count);
+}
+
+FORTRAN(status_set_elements_x, (f_int * status, f_int *type, MPI_Count *count, f_int *ierr))
+{
+    IERR = MPI_Status_set_elements_x((MPI_Status *)status, F_TYPE(type), *count);
 }
 
 FORTRAN(status_set_cancelled, (f_int * status, f_int *flag, f_int *ierr))
 {
-    *ierr = MPI_Status_set_cancelled((MPI_Status *)status, *flag);
+    IERR = MPI_Status_set_cancelled((MPI_Status *)status, *flag);
 }
 
 /* A generalized request's functions, which are Fortran's, and what they are given. */
@@ -60,5 +65,5 @@ FORTRAN(grequest_start,
 
 FORTRAN(grequest_complete, (f_int * request, f_int *ierr))
 {
-    *ierr = MPI_Grequest_complete(F_HANDLE(MPI_Request, *request));
+    IERR = MPI_Grequest_complete(F_HANDLE(MPI_Request, *request));
 }

@@ -3,62 +3,62 @@
 
 FORTRAN(init, (f_int * ierr))
 {
-    *ierr = MPI_Init(NULL, NULL);
+    IERR = MPI_Init(NULL, NULL);
 }
 
 FORTRAN(init_thread, (f_int * required, f_int *provided, f_int *ierr))
 {
-    *ierr = MPI_Init_thread(NULL, NULL, *required, provided);
+    IERR = MPI_Init_thread(NULL, NULL, *required, provided);
 }
 
 FORTRAN(finalize, (f_int * ierr))
 {
-    *ierr = MPI_Finalize();
+    IERR = MPI_Finalize();
 }
 
 FORTRAN(initialized, (f_int * flag, f_int *ierr))
 {
-    *ierr = MPI_Initialized(flag);
+    IERR = MPI_Initialized(flag);
 }
 
 FORTRAN(finalized, (f_int * flag, f_int *ierr))
 {
-    *ierr = MPI_Finalized(flag);
+    IERR = MPI_Finalized(flag);
 }
 
 FORTRAN(abort, (f_int * comm, f_int *code, f_int *ierr))
 {
-    *ierr = MPI_Abort(F_COMM(comm), *code);
+    IERR = MPI_Abort(F_COMM(comm), *code);
 }
 
 FORTRAN(get_processor_name, (char *name, f_int *length, f_int *ierr, size_t room))
 {
     char text[MPI_MAX_PROCESSOR_NAME];
-    *ierr = MPI_Get_processor_name(text, length);
+    IERR = MPI_Get_processor_name(text, length);
     f_give_text(name, room, text);
 }
 
 FORTRAN(get_version, (f_int * version, f_int *subversion, f_int *ierr))
 {
-    *ierr = MPI_Get_version(version, subversion);
+    IERR = MPI_Get_version(version, subversion);
 }
 
 FORTRAN(get_library_version, (char *version, f_int *length, f_int *ierr, size_t room))
 {
     char text[MPI_MAX_LIBRARY_VERSION_STRING];
-    *ierr = MPI_Get_library_version(text, length);
+    IERR = MPI_Get_library_version(text, length);
     f_give_text(version, room, text);
 }
 
 /* The memory's address, as an INTEGER of MPI_ADDRESS_KIND or a C_PTR. */
 FORTRAN(alloc_mem, (MPI_Aint * bytes, f_int *info, void **memory, f_int *ierr))
 {
-    *ierr = MPI_Alloc_mem(*bytes, F_HANDLE(MPI_Info, *info), memory);
+    IERR = MPI_Alloc_mem(*bytes, F_HANDLE(MPI_Info, *info), memory);
 }
 
 FORTRAN(free_mem, (void *memory, f_int *ierr))
 {
-    *ierr = MPI_Free_mem(memory);
+    IERR = MPI_Free_mem(memory);
 }
 
 FORTRAN(pcontrol, (f_int * level))

@@ -113,40 +113,45 @@ FORTRAN(type_free, (f_int * type, f_int *ierr))
 
 FORTRAN(type_size, (f_int * type, f_int *size, f_int *ierr))
 {
-    *ierr = MPI_Type_size(F_TYPE(type), size);
+    IERR = MPI_Type_size(F_TYPE(type), size);
+}
+
+FORTRAN(type_size_x, (f_int * type, MPI_Count *size, f_int *ierr))
+{
+    IERR = MPI_Type_size_x(F_TYPE(type), size);
 }
 
 #define SHORT_EXTENT(name, c_name)                                                                           \
     FORTRAN(name, (f_int * type, f_int * bytes, f_int * ierr))                                               \
     {                                                                                                        \
         MPI_Aint whole = 0;                                                                                  \
-        *ierr = MPI_##c_name(F_TYPE(type), &whole);                                                          \
+        IERR = MPI_##c_name(F_TYPE(type), &whole);                                                           \
         *bytes = (f_int)whole;                                                                               \
     }
 SHORT_EXTENT(type_extent, Type_extent)
 SHORT_EXTENT(type_lb, Type_lb)
 SHORT_EXTENT(type_ub, Type_ub)
 
-FORTRAN(type_get_extent, (f_int * type, MPI_Aint *lb, MPI_Aint *extent, f_int *ierr))
-{
-    *ierr = MPI_Type_get_extent(F_TYPE(type), lb, extent);
-}
-
-FORTRAN(type_get_true_extent, (f_int * type, MPI_Aint *lb, MPI_Aint *extent, f_int *ierr))
-{
-    *ierr = MPI_Type_get_true_extent(F_TYPE(type), lb, extent);
-}
+#define EXTENT(name, c_name, type_of_value)                                                                  \
+    FORTRAN(name, (f_int * type, type_of_value * lb, type_of_value * extent, f_int * ierr))                  \
+    {                                                                                                        \
+        IERR = MPI_##c_name(F_TYPE(type), lb, extent);                                                       \
+    }
+EXTENT(type_get_extent, Type_get_extent, MPI_Aint)
+EXTENT(type_get_extent_x, Type_get_extent_x, MPI_Count)
+EXTENT(type_get_true_extent, Type_get_true_extent, MPI_Aint)
+EXTENT(type_get_true_extent_x, Type_get_true_extent_x, MPI_Count)
 
 FORTRAN(address, (void *at, f_int *address, f_int *ierr))
 {
     *address = (f_int)((char *)at - (char *)&mpi_fortran_bottom_);
-    *ierr = MPI_SUCCESS;
+    IERR = MPI_SUCCESS;
 }
 
 FORTRAN(get_address, (void *at, MPI_Aint *address, f_int *ierr))
 {
     *address = (char *)at - (char *)&mpi_fortran_bottom_;
-    *ierr = MPI_SUCCESS;
+    IERR = MPI_SUCCESS;
 }
 
 MPI_Aint mpi_aint_add_(MPI_Aint *base, MPI_Aint *displacement), mpi_aint_diff_(MPI_Aint *a, MPI_Aint *b);
@@ -165,25 +170,25 @@ NAMES(type, Type, F_TYPE)
 FORTRAN(pack, (void *buf, f_int *count, f_int *type, void *into, f_int *room, f_int *position, f_int *comm,
                f_int *ierr))
 {
-    *ierr = MPI_Pack(buf, *count, F_TYPE(type), into, *room, position, F_COMM(comm));
+    IERR = MPI_Pack(buf, *count, F_TYPE(type), into, *room, position, F_COMM(comm));
 }
 
 FORTRAN(unpack, (void *from, f_int *size, f_int *position, void *buf, f_int *count, f_int *type, f_int *comm,
                  f_int *ierr))
 {
-    *ierr = MPI_Unpack(from, *size, position, buf, *count, F_TYPE(type), F_COMM(comm));
+    IERR = MPI_Unpack(from, *size, position, buf, *count, F_TYPE(type), F_COMM(comm));
 }
 
 FORTRAN(pack_size, (f_int * count, f_int *type, f_int *comm, f_int *size, f_int *ierr))
 {
-    *ierr = MPI_Pack_size(*count, F_TYPE(type), F_COMM(comm), size);
+    IERR = MPI_Pack_size(*count, F_TYPE(type), F_COMM(comm), size);
 }
 
 FORTRAN(pack_external, (const char *name, void *buf, f_int *count, f_int *type, void *into, MPI_Aint *room,
                         MPI_Aint *position, f_int *ierr, size_t length))
 {
     char *text = f_text(name, length);
-    *ierr = MPI_Pack_external(text, buf, *count, F_TYPE(type), into, *room, position);
+    IERR = MPI_Pack_external(text, buf, *count, F_TYPE(type), into, *room, position);
     free(text);
 }
 
@@ -191,7 +196,7 @@ FORTRAN(unpack_external, (const char *name, void *from, MPI_Aint *size, MPI_Aint
                           f_int *count, f_int *type, f_int *ierr, size_t length))
 {
     char *text = f_text(name, length);
-    *ierr = MPI_Unpack_external(text, from, *size, position, buf, *count, F_TYPE(type));
+    IERR = MPI_Unpack_external(text, from, *size, position, buf, *count, F_TYPE(type));
     free(text);
 }
 
@@ -199,7 +204,7 @@ FORTRAN(pack_external_size,
         (const char *name, f_int *count, f_int *type, MPI_Aint *size, f_int *ierr, size_t length))
 {
     char *text = f_text(name, length);
-    *ierr = MPI_Pack_external_size(text, *count, F_TYPE(type), size);
+    IERR = MPI_Pack_external_size(text, *count, F_TYPE(type), size);
     free(text);
 }
 
@@ -213,9 +218,9 @@ FORTRAN(type_get_contents, (f_int * type, f_int *most_ints, f_int *most_addresse
 {
     int n_ints, n_addresses, n_types = 0, combiner;
     MPI_Datatype *list = get_memory((size_t)*most_types * sizeof *list);
-    *ierr =
+    IERR =
         MPI_Type_get_contents(F_TYPE(type), *most_ints, *most_addresses, *most_types, ints, addresses, list);
-    if (!*ierr)
+    if (!IERR)
         MPI_Type_get_envelope(F_TYPE(type), &n_ints, &n_addresses, &n_types, &combiner);
     for (int i = 0; i < n_types; i++)
         types[i] = F_OF(list[i]);

@@ -19,22 +19,33 @@ FORTRAN(win_allocate,
     WITH(MPI_Win, win, MPI_Win_allocate(*size, *unit, F_INFO(info), F_COMM(comm), base, &handle));
 }
 
+FORTRAN(win_allocate_shared,
+        (MPI_Aint * size, f_int *unit, f_int *info, f_int *comm, void *base, f_int *win, f_int *ierr))
+{
+    NEW(MPI_Win, win, MPI_Win_allocate_shared(*size, *unit, F_INFO(info), F_COMM(comm), base, &made));
+}
+
+FORTRAN(win_shared_query, (f_int * win, f_int *rank, MPI_Aint *size, f_int *unit, void *base, f_int *ierr))
+{
+    IERR = MPI_Win_shared_query(F_WIN(win), *rank, size, unit, base);
+}
+
 /* Places in a dynamic window are Fortran's addresses, which are counted from MPI_BOTTOM. */
 FORTRAN(win_create_dynamic, (f_int * info, f_int *comm, f_int *win, f_int *ierr))
 {
     WITH(MPI_Win, win, MPI_Win_create_dynamic(F_INFO(info), F_COMM(comm), &handle));
-    if (!*ierr)
+    if (!IERR)
         win_of(F_WIN(win))->base = (char *)&mpi_fortran_bottom_;
 }
 
 FORTRAN(win_attach, (f_int * win, void *base, MPI_Aint *size, f_int *ierr))
 {
-    *ierr = MPI_Win_attach(F_WIN(win), base, *size);
+    IERR = MPI_Win_attach(F_WIN(win), base, *size);
 }
 
 FORTRAN(win_detach, (f_int * win, void *base, f_int *ierr))
 {
-    *ierr = MPI_Win_detach(F_WIN(win), base);
+    IERR = MPI_Win_detach(F_WIN(win), base);
 }
 
 FORTRAN(win_free, (f_int * win, f_int *ierr))
@@ -51,8 +62,8 @@ FORTRAN(win_get_group, (f_int * win, f_int *group, f_int *ierr))
 FORTRAN(win_get_attr, (f_int * win, f_int *key, MPI_Aint *value, f_int *flag, f_int *ierr))
 {
     void *found;
-    *ierr = MPI_Win_get_attr(F_WIN(win), *key, &found, flag);
-    if (*ierr || !*flag)
+    IERR = MPI_Win_get_attr(F_WIN(win), *key, &found, flag);
+    if (IERR || !*flag)
         return;
     *value = *key == MPI_WIN_SIZE                           ? *(MPI_Aint *)found
              : *key > MPI_WIN_BASE && *key <= MPI_WIN_MODEL ? *(int *)found
@@ -61,7 +72,7 @@ FORTRAN(win_get_attr, (f_int * win, f_int *key, MPI_Aint *value, f_int *flag, f_
 
 FORTRAN(win_set_attr, (f_int * win, f_int *key, MPI_Aint *value, f_int *ierr))
 {
-    *ierr = MPI_Win_set_attr(F_WIN(win), *key, (void *)*value);
+    IERR = MPI_Win_set_attr(F_WIN(win), *key, (void *)*value);
 }
 
 KEYS(win, Win, MPI_Win)
@@ -70,7 +81,7 @@ NAMES(win, Win, F_WIN)
 
 FORTRAN(win_set_info, (f_int * win, f_int *info, f_int *ierr))
 {
-    *ierr = MPI_Win_set_info(F_WIN(win), F_HANDLE(MPI_Info, *info));
+    IERR = MPI_Win_set_info(F_WIN(win), F_HANDLE(MPI_Info, *info));
 }
 
 FORTRAN(win_get_info, (f_int * win, f_int *info, f_int *ierr))
@@ -85,7 +96,7 @@ FORTRAN(win_create_errhandler, (MPI_Win_errhandler_function * function, f_int *h
 
 FORTRAN(win_set_errhandler, (f_int * win, f_int *handler, f_int *ierr))
 {
-    *ierr = MPI_Win_set_errhandler(F_WIN(win), F_HANDLE(MPI_Errhandler, *handler));
+    IERR = MPI_Win_set_errhandler(F_WIN(win), F_HANDLE(MPI_Errhandler, *handler));
 }
 
 FORTRAN(win_get_errhandler, (f_int * win, f_int *handler, f_int *ierr))
@@ -95,50 +106,50 @@ FORTRAN(win_get_errhandler, (f_int * win, f_int *handler, f_int *ierr))
 
 FORTRAN(win_call_errhandler, (f_int * win, f_int *code, f_int *ierr))
 {
-    *ierr = MPI_Win_call_errhandler(F_WIN(win), *code);
+    IERR = MPI_Win_call_errhandler(F_WIN(win), *code);
 }
 
 /* --- epochs --- */
 
 FORTRAN(win_fence, (f_int * assert, f_int *win, f_int *ierr))
 {
-    *ierr = MPI_Win_fence(*assert, F_WIN(win));
+    IERR = MPI_Win_fence(*assert, F_WIN(win));
 }
 
 FORTRAN(win_start, (f_int * group, f_int *assert, f_int *win, f_int *ierr))
 {
-    *ierr = MPI_Win_start(F_HANDLE(MPI_Group, *group), *assert, F_WIN(win));
+    IERR = MPI_Win_start(F_HANDLE(MPI_Group, *group), *assert, F_WIN(win));
 }
 
 FORTRAN(win_post, (f_int * group, f_int *assert, f_int *win, f_int *ierr))
 {
-    *ierr = MPI_Win_post(F_HANDLE(MPI_Group, *group), *assert, F_WIN(win));
+    IERR = MPI_Win_post(F_HANDLE(MPI_Group, *group), *assert, F_WIN(win));
 }
 
 FORTRAN(win_test, (f_int * win, f_int *flag, f_int *ierr))
 {
-    *ierr = MPI_Win_test(F_WIN(win), flag);
+    IERR = MPI_Win_test(F_WIN(win), flag);
 }
 
 FORTRAN(win_lock, (f_int * kind, f_int *rank, f_int *assert, f_int *win, f_int *ierr))
 {
-    *ierr = MPI_Win_lock(*kind, *rank, *assert, F_WIN(win));
+    IERR = MPI_Win_lock(*kind, *rank, *assert, F_WIN(win));
 }
 
 FORTRAN(win_lock_all, (f_int * assert, f_int *win, f_int *ierr))
 {
-    *ierr = MPI_Win_lock_all(*assert, F_WIN(win));
+    IERR = MPI_Win_lock_all(*assert, F_WIN(win));
 }
 
 #define OF_WIN(name, c_name)                                                                                 \
     FORTRAN(name, (f_int * win, f_int * ierr))                                                               \
     {                                                                                                        \
-        *ierr = MPI_##c_name(F_WIN(win));                                                                    \
+        IERR = MPI_##c_name(F_WIN(win));                                                                     \
     }
 #define OF_RANK(name, c_name)                                                                                \
     FORTRAN(name, (f_int * rank, f_int * win, f_int * ierr))                                                 \
     {                                                                                                        \
-        *ierr = MPI_##c_name(*rank, F_WIN(win));                                                             \
+        IERR = MPI_##c_name(*rank, F_WIN(win));                                                              \
     }
 OF_WIN(win_complete, Win_complete)
 OF_WIN(win_wait, Win_wait)
@@ -158,24 +169,24 @@ OF_RANK(win_flush_local, Win_flush_local)
 
 FORTRAN(put, (void *buf, f_int *count, f_int *type, THERE, f_int *win, f_int *ierr))
 {
-    *ierr = MPI_Put(buf, *count, F_TYPE(type), GIVE_THERE, F_WIN(win));
+    IERR = MPI_Put(buf, *count, F_TYPE(type), GIVE_THERE, F_WIN(win));
 }
 
 FORTRAN(get, (void *into, f_int *room, f_int *as, THERE, f_int *win, f_int *ierr))
 {
-    *ierr = MPI_Get(into, *room, F_TYPE(as), GIVE_THERE, F_WIN(win));
+    IERR = MPI_Get(into, *room, F_TYPE(as), GIVE_THERE, F_WIN(win));
 }
 
 FORTRAN(accumulate, (void *buf, f_int *count, f_int *type, THERE, f_int *op, f_int *win, f_int *ierr))
 {
-    *ierr = MPI_Accumulate(buf, *count, F_TYPE(type), GIVE_THERE, F_OP(op), F_WIN(win));
+    IERR = MPI_Accumulate(buf, *count, F_TYPE(type), GIVE_THERE, F_OP(op), F_WIN(win));
 }
 
 FORTRAN(get_accumulate, (void *buf, f_int *count, f_int *type, void *into, f_int *room, f_int *as, THERE,
                          f_int *op, f_int *win, f_int *ierr))
 {
-    *ierr = MPI_Get_accumulate(buf, *count, F_TYPE(type), into, *room, F_TYPE(as), GIVE_THERE, F_OP(op),
-                               F_WIN(win));
+    IERR = MPI_Get_accumulate(buf, *count, F_TYPE(type), into, *room, F_TYPE(as), GIVE_THERE, F_OP(op),
+                              F_WIN(win));
 }
 
 FORTRAN(rput, (void *buf, f_int *count, f_int *type, THERE, f_int *win, f_int *request, f_int *ierr))
@@ -206,11 +217,11 @@ FORTRAN(rget_accumulate, (void *buf, f_int *count, f_int *type, void *into, f_in
 FORTRAN(fetch_and_op, (void *buf, void *into, f_int *type, f_int *rank, MPI_Aint *place, f_int *op,
                        f_int *win, f_int *ierr))
 {
-    *ierr = MPI_Fetch_and_op(buf, into, F_TYPE(type), *rank, *place, F_OP(op), F_WIN(win));
+    IERR = MPI_Fetch_and_op(buf, into, F_TYPE(type), *rank, *place, F_OP(op), F_WIN(win));
 }
 
 FORTRAN(compare_and_swap, (void *buf, void *compare, void *into, f_int *type, f_int *rank, MPI_Aint *place,
                            f_int *win, f_int *ierr))
 {
-    *ierr = MPI_Compare_and_swap(buf, compare, into, F_TYPE(type), *rank, *place, F_WIN(win));
+    IERR = MPI_Compare_and_swap(buf, compare, into, F_TYPE(type), *rank, *place, F_WIN(win));
 }

@@ -40,12 +40,12 @@ int attribute_key(void *copy, void *drop, int *key, void *extra)
     return MPI_SUCCESS;
 }
 
-static int no_key(const char *call, int key)
+static int no_key(int call, int key)
 {
-    return fail(NULL, CALL_Other, MPI_ERR_KEYVAL, "%s: %d is no attribute key, or has been freed", call, key);
+    return fail(NULL, call, MPI_ERR_KEYVAL, "%d is no attribute key, or has been freed", key);
 }
 
-int attribute_key_free(const char *call, int *key)
+int attribute_key_free(int call, int *key)
 {
     struct key *k = key_of(*key);
     if (!k)
@@ -91,12 +91,12 @@ int attribute_delete_all(void *handle, struct attribute **list)
     return MPI_SUCCESS;
 }
 
-int attribute_delete(const char *call, void *handle, struct attribute **list, int key)
+int attribute_delete(int call, void *handle, struct attribute **list, int key)
 {
     return key_of(key) ? delete_one(handle, list, key) : no_key(call, key);
 }
 
-int attribute_set(const char *call, void *handle, struct attribute **list, int key, void *value)
+int attribute_set(int call, void *handle, struct attribute **list, int key, void *value)
 {
     if (!key_of(key))
         return no_key(call, key);
@@ -110,7 +110,7 @@ int attribute_set(const char *call, void *handle, struct attribute **list, int k
     return MPI_SUCCESS;
 }
 
-int attribute_get(const char *call, struct attribute **list, int key, void *value, int *flag)
+int attribute_get(int call, struct attribute **list, int key, void *value, int *flag)
 {
     if (!key_of(key))
         return no_key(call, key);
@@ -171,14 +171,14 @@ CALL(Comm_create_keyval,
 
 CALL(Comm_free_keyval, (int *keyval))
 {
-    return attribute_key_free("MPI_Comm_free_keyval", keyval);
+    return attribute_key_free(CALL_Comm_free_keyval, keyval);
 }
 
 CALL(Comm_set_attr, (MPI_Comm comm, int keyval, void *value))
 {
     struct comm *c = comm_of(comm);
-    return c ? attribute_set("MPI_Comm_set_attr", comm, &c->attributes, keyval, value)
-             : fail_comm_of(CALL_NAME);
+    return c ? attribute_set(CALL_Comm_set_attr, comm, &c->attributes, keyval, value)
+             : fail_comm(CALL_Comm_set_attr);
 }
 
 /* Those that are there from the beginning: pointers to numbers. */
@@ -209,10 +209,10 @@ CALL(Comm_get_attr, (MPI_Comm comm, int keyval, void *value, int *flag))
     struct comm *c = comm_of(comm);
     const int *own = own_attribute(keyval);
     if (!c)
-        return fail_comm_of(CALL_NAME);
+        return fail_comm(CALL_Comm_get_attr);
     if (!own)
         return keyval == MPI_APPNUM ? (*flag = 0, MPI_SUCCESS)
-                                    : attribute_get("MPI_Comm_get_attr", &c->attributes, keyval, value, flag);
+                                    : attribute_get(CALL_Comm_get_attr, &c->attributes, keyval, value, flag);
     memcpy(value, &own, sizeof own);
     *flag = true;
     return MPI_SUCCESS;
@@ -222,8 +222,8 @@ CALL(Comm_delete_attr, (MPI_Comm comm, int keyval))
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm_of(CALL_NAME);
-    return attribute_delete("MPI_Comm_delete_attr", comm, &c->attributes, keyval);
+        return fail_comm(CALL_Comm_delete_attr);
+    return attribute_delete(CALL_Comm_delete_attr, comm, &c->attributes, keyval);
 }
 
 /* --- datatypes --- */
@@ -246,29 +246,29 @@ CALL(Type_create_keyval,
 
 CALL(Type_free_keyval, (int *keyval))
 {
-    return attribute_key_free("MPI_Type_free_keyval", keyval);
+    return attribute_key_free(CALL_Type_free_keyval, keyval);
 }
 
 CALL(Type_set_attr, (MPI_Datatype type, int keyval, void *value))
 {
     struct type *t = type_of(type);
     if (!t)
-        return fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Type_set_attr: the datatype is null, or freed");
-    return attribute_set("MPI_Type_set_attr", type, &t->attributes, keyval, value);
+        return type_missing(CALL_Type_set_attr);
+    return attribute_set(CALL_Type_set_attr, type, &t->attributes, keyval, value);
 }
 
 CALL(Type_get_attr, (MPI_Datatype type, int keyval, void *value, int *flag))
 {
     struct type *t = type_of(type);
     if (!t)
-        return fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Type_get_attr: the datatype is null, or freed");
-    return attribute_get("MPI_Type_get_attr", &t->attributes, keyval, value, flag);
+        return type_missing(CALL_Type_get_attr);
+    return attribute_get(CALL_Type_get_attr, &t->attributes, keyval, value, flag);
 }
 
 CALL(Type_delete_attr, (MPI_Datatype type, int keyval))
 {
     struct type *t = type_of(type);
     if (!t)
-        return fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Type_delete_attr: the datatype is null, or freed");
-    return attribute_delete("MPI_Type_delete_attr", type, &t->attributes, keyval);
+        return type_missing(CALL_Type_delete_attr);
+    return attribute_delete(CALL_Type_delete_attr, type, &t->attributes, keyval);
 }

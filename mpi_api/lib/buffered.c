@@ -72,9 +72,9 @@ int buffered_send(struct transfer *t)
 CALL(Buffer_attach, (void *buf, int bytes))
 {
     if (is_attached)
-        return fail(NULL, CALL_Other, MPI_ERR_BUFFER, "MPI_Buffer_attach: a buffer is attached already");
+        return fail(NULL, CALL_Buffer_attach, MPI_ERR_BUFFER, "a buffer is attached already");
     if (bytes < 0)
-        return fail(NULL, CALL_Other, MPI_ERR_ARG, "MPI_Buffer_attach: %d bytes", bytes);
+        return fail(NULL, CALL_Buffer_attach, MPI_ERR_ARG, "%d bytes", bytes);
     attached = buf, size = (size_t)bytes, is_attached = true;
     return MPI_SUCCESS;
 }

@@ -26,6 +26,7 @@ struct coll coll_inside(const struct coll *o)
 struct prepared {
     struct args args;
     coll_run *run;
+    void *list; /* coll_keep_list */
 };
 
 void args_keep(const struct args *a)
@@ -45,20 +46,32 @@ void args_leave(const struct args *a)
 void coll_forget(const struct prepared *p)
 {
     args_leave(&p->args);
+    free(p->list);
 }
 
-int coll_prepare(struct args *a, MPI_Comm comm, coll_run *check, coll_run *run, MPI_Request *request)
+void coll_keep_list(MPI_Request request, void *list)
+{
+    struct request *r = object_of(request, REQUEST);
+    if (r->prepared)
+        r->prepared->list = list;
+    else
+        r->packed = list; /* freed when it is done */
+}
+
+int coll_prepare(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_run *run,
+                 MPI_Request *request)
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm(CALL_Start);
-    a->o = coll_of(c, CALL_Start);
+        return fail_comm(call);
+    a->o = coll_of(c, call);
     int code = check(a);
     if (code)
         return code;
+    a->o.call = CALL_Start;
     struct request *r = request_new();
     struct prepared *p = get_memory(sizeof *p);
-    *p = (struct prepared){*a, run};
+    *p = (struct prepared){*a, run, NULL};
     args_keep(a);
     r->what = COLLECTS, r->persistent = true, r->comm = c, r->prepared = p;
     c->object.users++;
@@ -108,6 +121,20 @@ int coll_check(const struct coll *o, int count, MPI_Datatype t)
     if (!type_is_valid(t))
         return fail(o->c, o->call, MPI_ERR_TYPE, "the datatype is null, freed, or not committed");
     return MPI_SUCCESS;
+}
+
+/* They begin at one place. Parts of other types or at other places may lie apart all the same, and there may
+ * be no elements. */
+int coll_fail_same(const struct args *a)
+{
+    bool same = (a->op || a->type == a->as) && a->types == a->ases && (!a->places || a->at == a->places);
+    bool any = any_bytes(a->count, a->type);
+    for (int i = 0; a->counts && i < a->o.size; i++)
+        any = any || a->counts[i] > 0;
+    if (a->o.c->remote || !same || !any)
+        return MPI_SUCCESS;
+    return fail(a->o.c, a->o.call, MPI_ERR_BUFFER,
+                "what is sent and what is received are the same memory: MPI_IN_PLACE says so");
 }
 
 /* --- messages --- */

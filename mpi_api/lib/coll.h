@@ -40,9 +40,12 @@ typedef int coll_run(struct args *a);
 /* Checks and runs a collective; or begins one, whose request is `request`. */
 int coll_call(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_run *run, MPI_Request *request);
 /* The request of a persistent one, which MPI_Start begins. */
-int coll_prepare(struct args *a, MPI_Comm comm, coll_run *check, coll_run *run, MPI_Request *request);
+int coll_prepare(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_run *run,
+                 MPI_Request *request);
 void coll_restart(struct request *r);
 void coll_forget(const struct prepared *p); /* it is about to be freed */
+/* A list that the collective was given is freed with its request. */
+void coll_keep_list(MPI_Request request, void *list);
 
 /* The three forms of a call. The parameters, in parentheses; the values of struct args. */
 #define COLLECTIVE(name, iname, function, parameters, ...)                                                   \
@@ -60,7 +63,7 @@ void coll_forget(const struct prepared *p); /* it is about to be freed */
     {                                                                                                        \
         struct args a = {__VA_ARGS__};                                                                       \
         (void)info;                                                                                          \
-        return coll_prepare(&a, comm, check_##function, function, request);                                  \
+        return coll_prepare(&a, CALL_##name##_init, comm, check_##function, function, request);              \
     }
 #define COLL_LIST(...) __VA_ARGS__ __VA_OPT__(, )
 
@@ -70,6 +73,13 @@ int comm_agree_context(const struct coll *o);
 int coll_check_root(const struct coll *o, int root);
 /* A count and a type of an argument. */
 int coll_check(const struct coll *o, int count, MPI_Datatype t);
+
+/* What is sent may not be what is received, but by MPI_IN_PLACE: an error if they are the same memory. */
+int coll_fail_same(const struct args *a);
+static inline int coll_check_apart(const struct args *a)
+{
+    return __builtin_expect(a->buf == a->into, 0) ? coll_fail_same(a) : MPI_SUCCESS;
+}
 
 void coll_send(const struct coll *o, const void *buf, int count, MPI_Datatype t, int to);
 int coll_receive(const struct coll *o, void *buf, int count, MPI_Datatype t, int from);

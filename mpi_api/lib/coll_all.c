@@ -80,7 +80,9 @@ static int ring_of_equals(const struct coll *o, void *into, int room, MPI_Dataty
 static int check_allgather(struct args *a)
 {
     int code = coll_check(&a->o, a->rooms ? 0 : a->room, a->as);
-    return code || a->buf == MPI_IN_PLACE ? code : coll_check(&a->o, a->count, a->type);
+    if (!code && a->buf != MPI_IN_PLACE)
+        code = coll_check(&a->o, a->count, a->type);
+    return code ? code : coll_check_apart(a);
 }
 #define check_allgatherv check_allgather
 
@@ -265,7 +267,9 @@ static int in_place(const struct args *p)
 static int check_alltoall(struct args *a)
 {
     int code = coll_check(&a->o, a->rooms ? 0 : a->room, a->as);
-    return code || a->buf == MPI_IN_PLACE ? code : coll_check(&a->o, a->counts ? 0 : a->count, a->type);
+    if (!code && a->buf != MPI_IN_PLACE)
+        code = coll_check(&a->o, a->counts ? 0 : a->count, a->type);
+    return code ? code : coll_check_apart(a);
 }
 #define check_alltoallv check_alltoall
 
@@ -277,7 +281,7 @@ static int check_alltoallw(struct args *a)
         if (!code && a->buf != MPI_IN_PLACE)
             code = coll_check(&a->o, a->counts[i], a->types[i]);
     }
-    return code;
+    return code ? code : coll_check_apart(a);
 }
 
 static int alltoall(struct args *a)

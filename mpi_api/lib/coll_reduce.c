@@ -229,11 +229,14 @@ int coll_allreduce(const struct coll *o, const void *buf, void *into, int count,
 
 /* --- the calls --- */
 
-static int check_reduction(const struct args *a, int count)
+/* gets: the rank has the result. */
+static int check_reduction(const struct args *a, int count, bool gets)
 {
     int code = coll_check(&a->o, count, a->type);
     const char *refuses = code ? NULL : op_refuses(a->op, a->type);
-    return refuses ? fail(a->o.c, a->o.call, MPI_ERR_OP, "%s", refuses) : code;
+    if (refuses)
+        return fail(a->o.c, a->o.call, MPI_ERR_OP, "%s", refuses);
+    return code || !gets ? code : coll_check_apart(a);
 }
 
 /* What the rank brings. */
@@ -245,7 +248,7 @@ static const void *operand_of(const struct args *a)
 static int check_reduce(struct args *a)
 {
     int code = coll_check_root(&a->o, a->root);
-    return code || a->root == MPI_PROC_NULL ? code : check_reduction(a, a->count);
+    return code || a->root == MPI_PROC_NULL ? code : check_reduction(a, a->count, a->o.rank == a->root);
 }
 
 static int reduce(struct args *a)
@@ -257,7 +260,7 @@ static int reduce(struct args *a)
 
 static int check_allreduce(struct args *a)
 {
-    return check_reduction(a, a->count);
+    return check_reduction(a, a->count, true);
 }
 
 static int allreduce(struct args *a)
@@ -286,7 +289,7 @@ static int reduce_and_scatter(const struct coll *o, const void *buf, void *into,
 
 static int check_reduce_scatter(struct args *a)
 {
-    int code = check_reduction(a, 0);
+    int code = check_reduction(a, 0, true);
     for (int i = 0; i < a->o.c->local->size && !code; i++)
         code = coll_check(&a->o, a->counts[i], a->type);
     return code;
@@ -308,7 +311,7 @@ static int reduce_scatter(struct args *a)
 
 static int check_reduce_scatter_block(struct args *a)
 {
-    return check_reduction(a, a->count);
+    return check_reduction(a, a->count, true);
 }
 
 static int reduce_scatter_block(struct args *a)
@@ -372,7 +375,7 @@ static int check_prefix(struct args *a)
 {
     if (a->o.c->remote)
         return fail(a->o.c, a->o.call, MPI_ERR_COMM, "not for communicators of two groups");
-    return check_reduction(a, a->count);
+    return check_reduction(a, a->count, true);
 }
 #define check_inclusive check_prefix
 #define check_exclusive check_prefix

@@ -61,7 +61,7 @@ void comm_end(struct comm *c)
     {                                                                                                        \
         const struct comm *c = comm_of(comm);                                                                \
         if (!c)                                                                                              \
-            return fail_comm_of(CALL_NAME);                                                                  \
+            return fail_comm(CALL_##name);                                                                   \
         *value = (expression);                                                                               \
         return MPI_SUCCESS;                                                                                  \
     }
@@ -73,9 +73,9 @@ CALL(Comm_remote_size, (MPI_Comm comm, int *size))
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm_of(CALL_NAME);
+        return fail_comm(CALL_Comm_remote_size);
     if (!c->remote)
-        return fail(c, CALL_Other, MPI_ERR_COMM, "MPI_Comm_remote_size: the communicator has one group only");
+        return fail(c, CALL_Comm_remote_size, MPI_ERR_COMM, "the communicator has one group only");
     *size = c->remote->size;
     return MPI_SUCCESS;
 }
@@ -91,7 +91,7 @@ CALL(Comm_compare, (MPI_Comm a, MPI_Comm b, int *result))
 {
     const struct comm *x = comm_of(a), *y = comm_of(b);
     if (!x || !y)
-        return fail_comm_of(CALL_NAME);
+        return fail_comm(CALL_Comm_compare);
     if (x == y)
         *result = MPI_IDENT;
     else if (!x->remote != !y->remote)
@@ -109,7 +109,7 @@ CALL(Comm_set_name, (MPI_Comm comm, const char *name))
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm_of(CALL_NAME);
+        return fail_comm(CALL_Comm_set_name);
     free(c->name);
     c->name = strndup(name, MPI_MAX_OBJECT_NAME - 1);
     return MPI_SUCCESS;
@@ -119,7 +119,7 @@ CALL(Comm_get_name, (MPI_Comm comm, char *name, int *length))
 {
     struct comm *c = comm_of(comm);
     if (!c && comm != MPI_COMM_NULL)
-        return fail_comm_of(CALL_NAME);
+        return fail_comm(CALL_Comm_get_name);
     const char *own = !c                 ? "MPI_COMM_NULL"
                       : c == &comm_world ? "MPI_COMM_WORLD"
                       : c == &comm_self  ? "MPI_COMM_SELF"
@@ -131,12 +131,12 @@ CALL(Comm_get_name, (MPI_Comm comm, char *name, int *length))
 CALL(Comm_set_info, (MPI_Comm comm, MPI_Info info))
 {
     (void)info;
-    return comm_of(comm) ? MPI_SUCCESS : fail_comm_of(CALL_NAME);
+    return comm_of(comm) ? MPI_SUCCESS : fail_comm(CALL_Comm_set_info);
 }
 
 CALL(Comm_get_info, (MPI_Comm comm, MPI_Info *info))
 {
-    return comm_of(comm) ? PMPI_Info_create(info) : fail_comm_of(CALL_NAME);
+    return comm_of(comm) ? PMPI_Info_create(info) : fail_comm(CALL_Comm_get_info);
 }
 
 CALL(Comm_get_parent, (MPI_Comm * parent))
@@ -197,13 +197,13 @@ CALL(Comm_idup, (MPI_Comm comm, MPI_Comm *to, MPI_Request *request))
 CALL(Comm_dup_with_info, (MPI_Comm comm, MPI_Info info, MPI_Comm *to))
 {
     (void)info;
-    return PMPI_Comm_dup(comm, to);
+    return duplicate(CALL_Comm_dup_with_info, comm, to, NULL);
 }
 
 CALL(Comm_idup_with_info, (MPI_Comm comm, MPI_Info info, MPI_Comm *to, MPI_Request *request))
 {
     (void)info;
-    return PMPI_Comm_idup(comm, to, request);
+    return duplicate(CALL_Comm_idup_with_info, comm, to, request);
 }
 
 /* --- a part of a communicator --- */
@@ -349,28 +349,33 @@ CALL(Comm_split_type, (MPI_Comm comm, int kind, int key, MPI_Info info, MPI_Comm
     struct comm *c = comm_of(comm);
     (void)info;
     if (!c)
-        return fail_comm(CALL_Comm_split);
+        return fail_comm(CALL_Comm_split_type);
     return PMPI_Comm_split(comm, kind == MPI_UNDEFINED ? MPI_UNDEFINED : c->local->rank, key, to);
 }
 
-CALL(Comm_free, (MPI_Comm * comm))
+static int end(int call, MPI_Comm *comm)
 {
     struct comm *c = comm_of(*comm);
     if (!c)
-        return fail_comm(CALL_Comm_free);
+        return fail_comm(call);
     if (c == &comm_world || c == &comm_self)
-        return fail(c, CALL_Comm_free, MPI_ERR_COMM, "MPI_COMM_WORLD and MPI_COMM_SELF cannot be freed");
+        return fail(c, call, MPI_ERR_COMM, "MPI_COMM_WORLD and MPI_COMM_SELF cannot be freed");
     int code = comm_delete_attributes(c);
     if (code)
-        return fail(c, CALL_Comm_free, code, "an attribute's delete function says no");
+        return fail(c, call, code, "an attribute's delete function says no");
     comm_leave(c);
     *comm = MPI_COMM_NULL;
     return MPI_SUCCESS;
 }
 
+CALL(Comm_free, (MPI_Comm * comm))
+{
+    return end(CALL_Comm_free, comm);
+}
+
 CALL(Comm_disconnect, (MPI_Comm * comm))
 {
-    return PMPI_Comm_free(comm);
+    return end(CALL_Comm_disconnect, comm);
 }
 
 /* --- communicators of two groups --- */
@@ -420,7 +425,11 @@ CALL(Intercomm_create,
         free(nodes);
     }
     coll_bcast(&o, remote->nodes, theirs.size, MPI_INT, leader);
-    *to = HANDLE(MPI_Comm, inherit(comm_new(group_keep(c->local), group_done(remote), theirs.context), c));
+    if (group_done(remote)->rank >= 0) {
+        group_leave(remote);
+        return fail(c, CALL_Intercomm_create, MPI_ERR_COMM, "rank %d is in both groups", o.rank);
+    }
+    *to = HANDLE(MPI_Comm, inherit(comm_new(group_keep(c->local), remote, theirs.context), c));
     return MPI_SUCCESS;
 }
 

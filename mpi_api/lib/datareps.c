@@ -41,15 +41,13 @@ CALL(Register_datarep,
       MPI_Datarep_extent_function *extent, void *extra))
 {
     if (!name || !*name || strnlen(name, MPI_MAX_DATAREP_STRING) == MPI_MAX_DATAREP_STRING || !extent)
-        return fail_file(
-            NULL, CALL_Other, MPI_ERR_ARG,
-            "MPI_Register_datarep: the name is empty or too long, or there is no function for extents");
+        return fail_file(NULL, CALL_Register_datarep, MPI_ERR_ARG,
+                         "the name is empty or too long, or there is no function for extents");
     if (datarep_named(name))
-        return fail_file(NULL, CALL_Other, MPI_ERR_DUP_DATAREP, "MPI_Register_datarep: %s is there already",
-                         name);
+        return fail_file(NULL, CALL_Register_datarep, MPI_ERR_DUP_DATAREP, "%s is there already", name);
     if (read != MPI_CONVERSION_FN_NULL || write != MPI_CONVERSION_FN_NULL)
-        return fail_file(NULL, CALL_Other, MPI_ERR_CONVERSION,
-                         "MPI_Register_datarep: there are no conversions: the functions have to be "
+        return fail_file(NULL, CALL_Register_datarep, MPI_ERR_CONVERSION,
+                         "there are no conversions: the functions have to be "
                          "MPI_CONVERSION_FN_NULL");
     struct datarep *r = get_memory(sizeof *r);
     *r = (struct datarep){all, strdup(name), extent, extra};

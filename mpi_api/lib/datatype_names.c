@@ -8,7 +8,7 @@ CALL(Type_set_name, (MPI_Datatype type, const char *name))
 {
     struct type *t = type_of(type);
     if (!t)
-        return type_missing("MPI_Type_set_name");
+        return type_missing(CALL_Type_set_name);
     free(t->name);
     t->name = strndup(name, MPI_MAX_OBJECT_NAME - 1);
     return MPI_SUCCESS;
@@ -102,7 +102,7 @@ CALL(Type_get_name, (MPI_Datatype type, char *name, int *length))
 {
     const struct type *t = type_of(type);
     if (!t && type != MPI_DATATYPE_NULL)
-        return type_missing("MPI_Type_get_name");
+        return type_missing(CALL_Type_get_name);
     *length = snprintf(name, MPI_MAX_OBJECT_NAME, "%s",
                        !t        ? "MPI_DATATYPE_NULL"
                        : t->name ? t->name

@@ -101,16 +101,16 @@ size_t size_of(MPI_Datatype handle)
 
 /* --- their life --- */
 
-int type_missing(const char *call)
+int type_missing(int call)
 {
-    return fail(NULL, CALL_Other, MPI_ERR_TYPE, "%s: the datatype is null, or freed", call);
+    return fail(NULL, call, MPI_ERR_TYPE, "the datatype is null, or freed");
 }
 
 CALL(Type_commit, (MPI_Datatype * type))
 {
     struct type *t = type_of(*type);
     if (!t)
-        return type_missing("MPI_Type_commit");
+        return type_missing(CALL_Type_commit);
     t->committed = true;
     return MPI_SUCCESS;
 }
@@ -143,9 +143,8 @@ CALL(Type_free, (MPI_Datatype * type))
 {
     struct type *t = type_basic(*type) ? NULL : object_of(*type, TYPE);
     if (!t)
-        return type_basic(*type)
-                   ? fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Type_free: one of MPI's own types")
-                   : type_missing("MPI_Type_free");
+        return type_basic(*type) ? fail(NULL, CALL_Type_free, MPI_ERR_TYPE, "one of MPI's own types")
+                                 : type_missing(CALL_Type_free);
     int code = type_delete_attributes(t);
     if (code)
         return code;

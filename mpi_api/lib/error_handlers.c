@@ -98,19 +98,11 @@ int fail(struct comm *c, int call, int code, const char *fmt, ...)
     return code;
 }
 
-static const char *why_no_comm(void)
-{
-    return mpi_runs ? "the communicator is null, or freed" : "called before MPI_Init, or after MPI_Finalize";
-}
-
 int fail_comm(int call)
 {
-    return fail(NULL, call, MPI_ERR_COMM, "%s", why_no_comm());
-}
-
-int fail_comm_of(const char *call)
-{
-    return fail(NULL, CALL_Other, MPI_ERR_COMM, "%s: %s", call, why_no_comm());
+    return fail(NULL, call, MPI_ERR_COMM, "%s",
+                mpi_runs ? "the communicator is null, or freed"
+                         : "called before MPI_Init, or after MPI_Finalize");
 }
 
 /* --- handlers --- */
@@ -140,12 +132,12 @@ MPI_Errhandler handler_get(MPI_Errhandler handler)
     return handler;
 }
 
-int handler_call(MPI_Errhandler handler, void *handle, int code)
+int handler_call(int call, MPI_Errhandler handler, void *handle, int code)
 {
     char text[MPI_MAX_ERROR_STRING];
     int length;
     PMPI_Error_string(code, text, &length);
-    call_handler(handler, handle, CALL_Other, code, text);
+    call_handler(handler, handle, call, code, text);
     return MPI_SUCCESS;
 }
 
@@ -153,7 +145,7 @@ CALL(Comm_set_errhandler, (MPI_Comm comm, MPI_Errhandler handler))
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm_of(CALL_NAME);
+        return fail_comm(CALL_Comm_set_errhandler);
     handler_set(&c->handler, handler);
     return MPI_SUCCESS;
 }
@@ -162,7 +154,7 @@ CALL(Comm_get_errhandler, (MPI_Comm comm, MPI_Errhandler *handler))
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm_of(CALL_NAME);
+        return fail_comm(CALL_Comm_get_errhandler);
     *handler = handler_get(c->handler);
     return MPI_SUCCESS;
 }
@@ -170,7 +162,8 @@ CALL(Comm_get_errhandler, (MPI_Comm comm, MPI_Errhandler *handler))
 CALL(Comm_call_errhandler, (MPI_Comm comm, int code))
 {
     struct comm *c = comm_of(comm);
-    return c ? handler_call(c->handler, &comm, code) : fail_comm_of(CALL_NAME);
+    return c ? handler_call(CALL_Comm_call_errhandler, c->handler, &comm, code)
+             : fail_comm(CALL_Comm_call_errhandler);
 }
 
 CALL(Errhandler_free, (MPI_Errhandler * handler))
@@ -220,8 +213,8 @@ CALL(Add_error_string, (int code, const char *text))
 {
     struct added *a = added_of(code);
     if (!a)
-        return fail(NULL, CALL_Other, MPI_ERR_ARG,
-                    "MPI_Add_error_string: %d is no error code that the program has added", code);
+        return fail(NULL, CALL_Add_error_string, MPI_ERR_ARG,
+                    "%d is no error code that the program has added", code);
     free(a->text);
     a->text = strdup(text);
     return MPI_SUCCESS;

@@ -222,7 +222,7 @@ static int at_shared(struct move *m, MPI_File file, MPI_Status *status, MPI_Requ
 }
 
 /* Rank 0 takes the range of all; in it each has its own behind those of the ranks before. */
-static int in_order(struct move *m, MPI_File file, MPI_Status *status)
+static int in_order(struct move *m, MPI_File file, MPI_Status *status, MPI_Request *request)
 {
     int code = begin(m, file, false);
     if (!m->f)
@@ -240,7 +240,7 @@ static int in_order(struct move *m, MPI_File file, MPI_Status *status)
         first = server_add(m->f, m->call, all);
     coll_bcast(&o, &first, 1, MPI_OFFSET, 0);
     m->at = first + before;
-    return code ? code : move(m, status, NULL);
+    return code ? code : move(m, status, request);
 }
 
 /* --- the calls --- */
@@ -281,22 +281,24 @@ static int in_order(struct move *m, MPI_File file, MPI_Status *status)
         const struct file *f = file_of(file);                                                                \
         (void)buf;                                                                                           \
         if (!f)                                                                                              \
-            return fail_no_file(CALL_File_##name);                                                           \
+            return fail_no_file(CALL_File_##name##_end);                                                     \
         if (status)                                                                                          \
             *status = f->split;                                                                              \
         return MPI_SUCCESS;                                                                                  \
     }
 #define SPLIT_STATUS (file_of(file) ? &file_of(file)->split : NULL)
-#define IN_TWO_CALLS(name, buffer)                                                                           \
+#define IN_TWO_CALLS(name, writes, buffer, where)                                                            \
     CALL(File_##name##_begin, (MPI_File file, buffer buf, int count, MPI_Datatype type))                     \
     {                                                                                                        \
-        return PMPI_File_##name(file, buf, count, type, SPLIT_STATUS);                                       \
+        struct move m = MOVE(name##_begin, writes);                                                          \
+        return where(&m, file, SPLIT_STATUS, NULL);                                                          \
     }                                                                                                        \
     SECOND(name, buffer)
-#define AT_PLACE_IN_TWO_CALLS(name, buffer)                                                                  \
+#define AT_PLACE_IN_TWO_CALLS(name, writes, buffer)                                                          \
     CALL(File_##name##_begin, (MPI_File file, MPI_Offset place, buffer buf, int count, MPI_Datatype type))   \
     {                                                                                                        \
-        return PMPI_File_##name(file, place, buf, count, type, SPLIT_STATUS);                                \
+        struct move m = MOVE(name##_begin, writes);                                                          \
+        return at_place(&m, file, place, SPLIT_STATUS, NULL);                                                \
     }                                                                                                        \
     SECOND(name, buffer)
 #define CALLS(name, writes, buffer)                                                                          \
@@ -309,10 +311,10 @@ static int in_order(struct move *m, MPI_File file, MPI_Status *status)
          (MPI_File file, buffer buf, int count, MPI_Datatype type, MPI_Status *status))                      \
     {                                                                                                        \
         struct move m = MOVE(name##_ordered, writes);                                                        \
-        return in_order(&m, file, status);                                                                   \
+        return in_order(&m, file, status, NULL);                                                             \
     }                                                                                                        \
-    AT_PLACE_IN_TWO_CALLS(name##_at_all, buffer)                                                             \
-    IN_TWO_CALLS(name##_all, buffer)                                                                         \
-    IN_TWO_CALLS(name##_ordered, buffer)
+    AT_PLACE_IN_TWO_CALLS(name##_at_all, writes, buffer)                                                     \
+    IN_TWO_CALLS(name##_all, writes, buffer, at_pointer)                                                     \
+    IN_TWO_CALLS(name##_ordered, writes, buffer, in_order)
 CALLS(read, false, void *)
 CALLS(write, true, const void *)

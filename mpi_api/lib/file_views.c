@@ -165,7 +165,7 @@ CALL(File_get_view, (MPI_File file, MPI_Offset *displacement, MPI_Datatype *etyp
 {
     const struct file *f = file_of(file);
     if (!f)
-        return fail_no_file_of(CALL_NAME);
+        return fail_no_file(CALL_File_get_view);
     *displacement = f->displacement;
     *etype = give(f->etype), *filetype = give(f->filetype);
     strcpy(representation, datarep_name(f->datarep));
@@ -176,10 +176,9 @@ CALL(File_get_type_extent, (MPI_File file, MPI_Datatype type, MPI_Aint *extent))
 {
     struct file *f = file_of(file);
     if (!f)
-        return fail_no_file_of(CALL_NAME);
+        return fail_no_file(CALL_File_get_type_extent);
     if (!type_of(type))
-        return fail_file(f, CALL_Other, MPI_ERR_TYPE,
-                         "MPI_File_get_type_extent: the datatype is null, or freed");
+        return fail_file(f, CALL_File_get_type_extent, MPI_ERR_TYPE, "the datatype is null, or freed");
     return datarep_extent(f->datarep, type, extent);
 }
 
@@ -189,9 +188,9 @@ CALL(File_get_byte_offset, (MPI_File file, MPI_Offset place, MPI_Offset *bytes))
 {
     struct file *f = file_of(file);
     if (!f)
-        return fail_no_file_of(CALL_NAME);
+        return fail_no_file(CALL_File_get_byte_offset);
     if (place < 0)
-        return fail_file(f, CALL_Other, MPI_ERR_ARG, "MPI_File_get_byte_offset: the place is negative");
+        return fail_file(f, CALL_File_get_byte_offset, MPI_ERR_ARG, "the place is negative");
     *bytes = byte_of(f, place);
     return MPI_SUCCESS;
 }
@@ -234,7 +233,7 @@ CALL(File_get_position, (MPI_File file, MPI_Offset *place))
 {
     const struct file *f = file_of(file);
     if (!f)
-        return fail_no_file_of(CALL_NAME);
+        return fail_no_file(CALL_File_get_position);
     *place = f->pointer;
     return MPI_SUCCESS;
 }

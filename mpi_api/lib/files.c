@@ -30,11 +30,6 @@ int fail_no_file(int call)
     return fail_file(NULL, call, MPI_ERR_FILE, "the file is null, or closed");
 }
 
-int fail_no_file_of(const char *call)
-{
-    return fail_file(NULL, CALL_Other, MPI_ERR_FILE, "%s: the file is null, or closed", call);
-}
-
 int file_error(int why)
 {
     static const struct pair {
@@ -222,7 +217,7 @@ CALL(File_get_group, (MPI_File file, MPI_Group *group))
 {
     struct file *f = file_of(file);
     if (!f)
-        return fail_no_file_of(CALL_NAME);
+        return fail_no_file(CALL_File_get_group);
     return PMPI_Comm_group(HANDLE(MPI_Comm, f->comm), group);
 }
 
@@ -230,7 +225,7 @@ CALL(File_get_amode, (MPI_File file, int *amode))
 {
     const struct file *f = file_of(file);
     if (!f)
-        return fail_no_file_of(CALL_NAME);
+        return fail_no_file(CALL_File_get_amode);
     *amode = f->amode;
     return MPI_SUCCESS;
 }
@@ -240,7 +235,7 @@ CALL(File_set_info, (MPI_File file, MPI_Info info))
 {
     struct file *f = file_of(file);
     if (!f)
-        return fail_no_file_of(CALL_NAME);
+        return fail_no_file(CALL_File_set_info);
     return info_keep(&f->info, info);
 }
 
@@ -248,7 +243,7 @@ CALL(File_get_info, (MPI_File file, MPI_Info *info))
 {
     const struct file *f = file_of(file);
     if (!f)
-        return fail_no_file_of(CALL_NAME);
+        return fail_no_file(CALL_File_get_info);
     return info_give(f->info, info);
 }
 
@@ -265,7 +260,7 @@ CALL(File_get_atomicity, (MPI_File file, int *flag))
 {
     const struct file *f = file_of(file);
     if (!f)
-        return fail_no_file_of(CALL_NAME);
+        return fail_no_file(CALL_File_get_atomicity);
     *flag = f->atomic;
     return MPI_SUCCESS;
 }
@@ -296,7 +291,7 @@ CALL(File_set_errhandler, (MPI_File file, MPI_Errhandler handler))
 {
     MPI_Errhandler *of = handler_of(file);
     if (!of)
-        return fail_no_file_of(CALL_NAME);
+        return fail_no_file(CALL_File_set_errhandler);
     handler_set(of, handler);
     return MPI_SUCCESS;
 }
@@ -305,7 +300,7 @@ CALL(File_get_errhandler, (MPI_File file, MPI_Errhandler *handler))
 {
     const MPI_Errhandler *of = handler_of(file);
     if (!of)
-        return fail_no_file_of(CALL_NAME);
+        return fail_no_file(CALL_File_get_errhandler);
     *handler = handler_get(*of);
     return MPI_SUCCESS;
 }
@@ -313,5 +308,6 @@ CALL(File_get_errhandler, (MPI_File file, MPI_Errhandler *handler))
 CALL(File_call_errhandler, (MPI_File file, int code))
 {
     const MPI_Errhandler *of = handler_of(file);
-    return of ? handler_call(*of, &file, code) : fail_no_file_of(CALL_NAME);
+    return of ? handler_call(CALL_File_call_errhandler, *of, &file, code)
+              : fail_no_file(CALL_File_call_errhandler);
 }

@@ -35,7 +35,6 @@ struct file *file_of(MPI_File handle); /* NULL: none */
 /* As fail. file NULL: by the handler for files that are not open. */
 int fail_file(struct file *f, int call, int code, const char *fmt, ...) __attribute__((format(printf, 4, 5)));
 int fail_no_file(int call);
-int fail_no_file_of(const char *call);
 /* What an error of the file system is for MPI. */
 int file_error(int why);
 /* All ranks meet, and agree on the worst of their codes. If there is none, rank 0 does `work` meanwhile; what

@@ -52,9 +52,9 @@ int group_rank_in_list(const struct group *g, int node)
     return MPI_UNDEFINED;
 }
 
-static int no_group(const char *call)
+static int no_group(int call)
 {
-    return fail(NULL, CALL_Other, MPI_ERR_GROUP, "%s: the group is null, or freed", call);
+    return fail(NULL, call, MPI_ERR_GROUP, "the group is null, or freed");
 }
 
 static MPI_Group handle_of(struct group *g)
@@ -71,7 +71,7 @@ CALL(Group_size, (MPI_Group group, int *size))
 {
     const struct group *g = group_of(group);
     if (!g)
-        return no_group("MPI_Group_size");
+        return no_group(CALL_Group_size);
     *size = g->size;
     return MPI_SUCCESS;
 }
@@ -80,7 +80,7 @@ CALL(Group_rank, (MPI_Group group, int *rank))
 {
     const struct group *g = group_of(group);
     if (!g)
-        return no_group("MPI_Group_rank");
+        return no_group(CALL_Group_rank);
     *rank = g->rank < 0 ? MPI_UNDEFINED : g->rank;
     return MPI_SUCCESS;
 }
@@ -89,11 +89,11 @@ CALL(Group_translate_ranks, (MPI_Group from, int count, const int ranks[], MPI_G
 {
     const struct group *a = group_of(from), *b = group_of(to);
     if (!a || !b)
-        return no_group("MPI_Group_translate_ranks");
+        return no_group(CALL_Group_translate_ranks);
     for (int i = 0; i < count; i++) {
         if (ranks[i] != MPI_PROC_NULL && (ranks[i] < 0 || ranks[i] >= a->size))
-            return fail(NULL, CALL_Other, MPI_ERR_RANK,
-                        "MPI_Group_translate_ranks: rank %d is not one of the group's %d", ranks[i], a->size);
+            return fail(NULL, CALL_Group_translate_ranks, MPI_ERR_RANK,
+                        "rank %d is not one of the group's %d", ranks[i], a->size);
         translated[i] = ranks[i] == MPI_PROC_NULL ? MPI_PROC_NULL : group_rank_of(b, group_node(a, ranks[i]));
     }
     return MPI_SUCCESS;
@@ -115,7 +115,7 @@ int group_compare(const struct group *a, const struct group *b)
 CALL(Group_compare, (MPI_Group a, MPI_Group b, int *result))
 {
     if (!group_of(a) || !group_of(b))
-        return no_group("MPI_Group_compare");
+        return no_group(CALL_Group_compare);
     *result = group_compare(group_of(a), group_of(b));
     return MPI_SUCCESS;
 }
@@ -133,7 +133,7 @@ CALL(Group_union, (MPI_Group a, MPI_Group b, MPI_Group *group))
     const struct group *x = group_of(a), *y = group_of(b);
     int size = 0;
     if (!x || !y)
-        return no_group("MPI_Group_union");
+        return no_group(CALL_Group_union);
     struct group *g = group_new(x->size + y->size);
     for (int i = 0; i < x->size; i++)
         add(g, &size, group_node(x, i));
@@ -160,7 +160,7 @@ static struct group *select_of(const struct group *a, const struct group *b, boo
 CALL(Group_intersection, (MPI_Group a, MPI_Group b, MPI_Group *group))
 {
     if (!group_of(a) || !group_of(b))
-        return no_group("MPI_Group_intersection");
+        return no_group(CALL_Group_intersection);
     *group = handle_of(select_of(group_of(a), group_of(b), true));
     return MPI_SUCCESS;
 }
@@ -168,25 +168,23 @@ CALL(Group_intersection, (MPI_Group a, MPI_Group b, MPI_Group *group))
 CALL(Group_difference, (MPI_Group a, MPI_Group b, MPI_Group *group))
 {
     if (!group_of(a) || !group_of(b))
-        return no_group("MPI_Group_difference");
+        return no_group(CALL_Group_difference);
     *group = handle_of(select_of(group_of(a), group_of(b), false));
     return MPI_SUCCESS;
 }
 
 /* 0, or the error: a rank that is none, or is given twice. Marks those given. */
-static int mark(const struct group *g, const char *call, int rank, bool *given)
+static int mark(const struct group *g, int call, int rank, bool *given)
 {
     if (rank < 0 || rank >= g->size)
-        return fail(NULL, CALL_Other, MPI_ERR_RANK, "%s: rank %d is not one of the group's %d", call, rank,
-                    g->size);
+        return fail(NULL, call, MPI_ERR_RANK, "rank %d is not one of the group's %d", rank, g->size);
     if (given[rank])
-        return fail(NULL, CALL_Other, MPI_ERR_RANK, "%s: rank %d is given twice", call, rank);
+        return fail(NULL, call, MPI_ERR_RANK, "rank %d is given twice", rank);
     return given[rank] = true, MPI_SUCCESS;
 }
 
 /* The ranks in order, or all others. */
-static int choose(const char *call, MPI_Group from, int count, const int ranks[], bool others,
-                  MPI_Group *group)
+static int choose(int call, MPI_Group from, int count, const int ranks[], bool others, MPI_Group *group)
 {
     const struct group *f = group_of(from);
     int size = 0, code = MPI_SUCCESS;
@@ -211,22 +209,21 @@ static int choose(const char *call, MPI_Group from, int count, const int ranks[]
 
 CALL(Group_incl, (MPI_Group from, int count, const int ranks[], MPI_Group *group))
 {
-    return choose("MPI_Group_incl", from, count, ranks, false, group);
+    return choose(CALL_Group_incl, from, count, ranks, false, group);
 }
 
 CALL(Group_excl, (MPI_Group from, int count, const int ranks[], MPI_Group *group))
 {
-    return choose("MPI_Group_excl", from, count, ranks, true, group);
+    return choose(CALL_Group_excl, from, count, ranks, true, group);
 }
 
-static int choose_ranges(const char *call, MPI_Group from, int count, int ranges[][3], bool others,
-                         MPI_Group *group)
+static int choose_ranges(int call, MPI_Group from, int count, int ranges[][3], bool others, MPI_Group *group)
 {
     int n = 0;
     for (int i = 0; i < count; i++) {
         int first = ranges[i][0], last = ranges[i][1], step = ranges[i][2];
         if (!step)
-            return fail(NULL, CALL_Other, MPI_ERR_ARG, "%s: a stride of 0", call);
+            return fail(NULL, call, MPI_ERR_ARG, "a stride of 0");
         n += (last - first) / step >= 0 ? (last - first) / step + 1 : 0;
     }
     int *ranks = get_memory(((size_t)n + 1) * sizeof *ranks), k = 0;
@@ -241,19 +238,19 @@ static int choose_ranges(const char *call, MPI_Group from, int count, int ranges
 
 CALL(Group_range_incl, (MPI_Group from, int count, int ranges[][3], MPI_Group *group))
 {
-    return choose_ranges("MPI_Group_range_incl", from, count, ranges, false, group);
+    return choose_ranges(CALL_Group_range_incl, from, count, ranges, false, group);
 }
 
 CALL(Group_range_excl, (MPI_Group from, int count, int ranges[][3], MPI_Group *group))
 {
-    return choose_ranges("MPI_Group_range_excl", from, count, ranges, true, group);
+    return choose_ranges(CALL_Group_range_excl, from, count, ranges, true, group);
 }
 
 CALL(Group_free, (MPI_Group * group))
 {
     struct group *g = group_of(*group);
     if (!g)
-        return no_group("MPI_Group_free");
+        return no_group(CALL_Group_free);
     group_leave(g);
     *group = MPI_GROUP_NULL;
     return MPI_SUCCESS;
@@ -276,7 +273,7 @@ CALL(Comm_group, (MPI_Comm comm, MPI_Group *group))
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm_of(CALL_NAME);
+        return fail_comm(CALL_Comm_group);
     *group = HANDLE(MPI_Group, group_keep(c->local));
     return MPI_SUCCESS;
 }
@@ -285,10 +282,9 @@ CALL(Comm_remote_group, (MPI_Comm comm, MPI_Group *group))
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm_of(CALL_NAME);
+        return fail_comm(CALL_Comm_remote_group);
     if (!c->remote)
-        return fail(c, CALL_Other, MPI_ERR_COMM,
-                    "MPI_Comm_remote_group: the communicator has one group only");
+        return fail(c, CALL_Comm_remote_group, MPI_ERR_COMM, "the communicator has one group only");
     *group = HANDLE(MPI_Group, group_keep(c->remote));
     return MPI_SUCCESS;
 }

@@ -19,9 +19,9 @@ static struct info *info_of(MPI_Info handle)
     return handle == MPI_INFO_ENV ? &env : object_of(handle, INFO);
 }
 
-static int no_info(const char *call)
+static int no_info(int call)
 {
-    return fail(NULL, CALL_Other, MPI_ERR_INFO, "%s: the info is null, or freed", call);
+    return fail(NULL, call, MPI_ERR_INFO, "the info is null, or freed");
 }
 
 static struct pair **find(struct info *i, const char *key)
@@ -43,7 +43,7 @@ CALL(Info_set, (MPI_Info info, const char *key, const char *value))
 {
     struct info *i = info_of(info);
     if (!i)
-        return no_info("MPI_Info_set");
+        return no_info(CALL_Info_set);
     struct pair **link = find(i, key);
     if (!*link) {
         *link = calloc(1, sizeof **link);
@@ -58,7 +58,7 @@ CALL(Info_get, (MPI_Info info, const char *key, int room, char *value, int *flag
 {
     struct info *i = info_of(info);
     if (!i)
-        return no_info("MPI_Info_get");
+        return no_info(CALL_Info_get);
     const struct pair *p = *find(i, key);
     *flag = p != NULL;
     if (p) {
@@ -74,7 +74,7 @@ CALL(Info_get_string, (MPI_Info info, const char *key, int *room, char *value, i
 {
     struct info *i = info_of(info);
     if (!i)
-        return no_info("MPI_Info_get_string");
+        return no_info(CALL_Info_get_string);
     const struct pair *p = *find(i, key);
     *flag = p != NULL;
     if (p && *room > 0)
@@ -94,7 +94,7 @@ CALL(Info_get_valuelen, (MPI_Info info, const char *key, int *length, int *flag)
 {
     struct info *i = info_of(info);
     if (!i)
-        return no_info("MPI_Info_get_valuelen");
+        return no_info(CALL_Info_get_valuelen);
     const struct pair *p = *find(i, key);
     *flag = p != NULL;
     if (p)
@@ -106,7 +106,7 @@ CALL(Info_get_nkeys, (MPI_Info info, int *count))
 {
     struct info *i = info_of(info);
     if (!i)
-        return no_info("MPI_Info_get_nkeys");
+        return no_info(CALL_Info_get_nkeys);
     *count = 0;
     for (const struct pair *p = i->pairs; p; p = p->next)
         ++*count;
@@ -117,12 +117,12 @@ CALL(Info_get_nthkey, (MPI_Info info, int n, char *key))
 {
     struct info *i = info_of(info);
     if (!i)
-        return no_info("MPI_Info_get_nthkey");
+        return no_info(CALL_Info_get_nthkey);
     const struct pair *p = i->pairs;
     for (int k = 0; p && k < n; k++)
         p = p->next;
     if (!p || n < 0)
-        return fail(NULL, CALL_Other, MPI_ERR_ARG, "MPI_Info_get_nthkey: there is no key %d", n);
+        return fail(NULL, CALL_Info_get_nthkey, MPI_ERR_ARG, "there is no key %d", n);
     strcpy(key, p->key);
     return MPI_SUCCESS;
 }
@@ -140,11 +140,10 @@ CALL(Info_delete, (MPI_Info info, const char *key))
 {
     struct info *i = info_of(info);
     if (!i)
-        return no_info("MPI_Info_delete");
+        return no_info(CALL_Info_delete);
     struct pair **link = find(i, key);
     if (!*link)
-        return fail(NULL, CALL_Other, MPI_ERR_INFO_NOKEY, "MPI_Info_delete: the info has no key \"%.80s\"",
-                    key);
+        return fail(NULL, CALL_Info_delete, MPI_ERR_INFO_NOKEY, "the info has no key \"%.80s\"", key);
     remove_pair(link);
     return MPI_SUCCESS;
 }
@@ -153,7 +152,7 @@ CALL(Info_dup, (MPI_Info info, MPI_Info *to))
 {
     struct info *i = info_of(info);
     if (!i)
-        return no_info("MPI_Info_dup");
+        return no_info(CALL_Info_dup);
     PMPI_Info_create(to);
     for (const struct pair *p = i->pairs; p; p = p->next)
         PMPI_Info_set(*to, p->key, p->value);
@@ -164,7 +163,7 @@ CALL(Info_free, (MPI_Info * info))
 {
     struct info *i = info_of(*info);
     if (!i)
-        return no_info("MPI_Info_free");
+        return no_info(CALL_Info_free);
     while (i->pairs)
         remove_pair(&i->pairs);
     if (object_leave(&i->object))

@@ -115,27 +115,24 @@ void topology_free(struct topology *t);
 /* Tells the communicator's error handler (NULL: that of MPI_COMM_WORLD); what the call returns. */
 int fail(struct comm *c, int call, int code, const char *fmt, ...) __attribute__((format(printf, 4, 5)));
 int fail_comm(int call); /* the communicator is none */
-int fail_comm_of(const char *call);
-/* In a function that CALL begins: "MPI_NAME", for calls that core does not know. */
-#define CALL_NAME (__func__ + 1)
 /* As fail, by the error handler of another object; handle: where its handle is. */
 int fail_by(MPI_Errhandler handler, void *handle, int call, int code, const char *fmt, va_list ap);
 /* An object's error handler is set; given to the program, which frees it; called by the program. */
 void handler_set(MPI_Errhandler *of, MPI_Errhandler handler);
 MPI_Errhandler handler_get(MPI_Errhandler handler);
-int handler_call(MPI_Errhandler handler, void *handle, int code);
+int handler_call(int call, MPI_Errhandler handler, void *handle, int code);
 
-/* --- attributes: of any object, by a list of its own; call: for messages --- */
+/* --- attributes: of any object, by a list of its own --- */
 
 int attribute_key(void *copy, void *drop, int *key, void *extra); /* a new one */
-int attribute_key_free(const char *call, int *key);
+int attribute_key_free(int call, int *key);
 /* The hints of a file or window become a copy of info, or none (MPI_INFO_NULL); the program gets a copy of
  * them. */
 int info_keep(MPI_Info *own, MPI_Info info);
 int info_give(MPI_Info own, MPI_Info *info);
-int attribute_set(const char *call, void *handle, struct attribute **list, int key, void *value);
-int attribute_get(const char *call, struct attribute **list, int key, void *value, int *flag);
-int attribute_delete(const char *call, void *handle, struct attribute **list, int key);
+int attribute_set(int call, void *handle, struct attribute **list, int key, void *value);
+int attribute_get(int call, struct attribute **list, int key, void *value, int *flag);
+int attribute_delete(int call, void *handle, struct attribute **list, int key);
 int attribute_delete_all(void *handle, struct attribute **list);
 
 /* --- datatypes --- */
@@ -147,6 +144,7 @@ static inline const struct basic *type_basic(MPI_Datatype t)
     return i < BASICS && basic_types[i].class ? &basic_types[i] : NULL;
 }
 struct type *type_of(MPI_Datatype handle); /* NULL: none */
+int type_missing(int call);                /* the datatype is none: what the call returns */
 static inline MPI_Aint type_extent(const struct type *t)
 {
     return t->ub - t->lb;

@@ -11,8 +11,8 @@ CALL(Dist_graph_create_adjacent,
     struct comm *c = comm_of(comm);
     (void)info, (void)reorder;
     if (!c || c->remote)
-        return fail_comm(CALL_Dist_graph_create);
-    const struct coll o = coll_of(c, CALL_Dist_graph_create);
+        return fail_comm(CALL_Dist_graph_create_adjacent);
+    const struct coll o = coll_of(c, CALL_Dist_graph_create_adjacent);
     struct topology *t = topology_of_neighbors(ins, sources, in_weights, outs, dests, out_weights);
     return topology_make(&o, o.size, t, to);
 }
@@ -83,7 +83,7 @@ CALL(Dist_graph_create, (MPI_Comm comm, int count, const int sources[], const in
 CALL(Dist_graph_neighbors_count, (MPI_Comm comm, int *ins, int *outs, int *weighted))
 {
     int code;
-    const struct topology *t = topology_of("MPI_Dist_graph_neighbors_count", comm, MPI_DIST_GRAPH, &code);
+    const struct topology *t = topology_of(CALL_Dist_graph_neighbors_count, comm, MPI_DIST_GRAPH, &code);
     if (!t)
         return code;
     *ins = t->edge_count, *outs = t->outs, *weighted = t->weighted;
@@ -94,7 +94,7 @@ CALL(Dist_graph_neighbors, (MPI_Comm comm, int most_ins, int sources[], int *in_
                             int dests[], int *out_weights))
 {
     int code;
-    const struct topology *t = topology_of("MPI_Dist_graph_neighbors", comm, MPI_DIST_GRAPH, &code);
+    const struct topology *t = topology_of(CALL_Dist_graph_neighbors, comm, MPI_DIST_GRAPH, &code);
     if (!t)
         return code;
     for (int i = 0; i < t->edge_count && i < most_ins; i++) {
@@ -201,7 +201,7 @@ static int exchange(struct args *a)
     CALL(Ineighbor_##name, (COLL_LIST parameters MPI_Comm comm, MPI_Request * request))                      \
     {                                                                                                        \
         struct args a = {__VA_ARGS__};                                                                       \
-        return coll_call(&a, CALL_Neighbor_##name, comm, check_exchange, exchange, request);                 \
+        return coll_call(&a, CALL_Ineighbor_##name, comm, check_exchange, exchange, request);                \
     }
 
 #define EQUAL const void *buf, int count, MPI_Datatype type, void *into, int room, MPI_Datatype as

@@ -251,7 +251,7 @@ CALL(Op_create, (MPI_User_function * function, int commutes, MPI_Op *op))
 CALL(Op_free, (MPI_Op * op))
 {
     if (!object_of(*op, OP))
-        return fail(NULL, CALL_Other, MPI_ERR_OP, "MPI_Op_free: the operation is null, freed, or MPI's own");
+        return fail(NULL, CALL_Op_free, MPI_ERR_OP, "the operation is null, freed, or MPI's own");
     op_leave(*op);
     *op = MPI_OP_NULL;
     return MPI_SUCCESS;
@@ -260,7 +260,7 @@ CALL(Op_free, (MPI_Op * op))
 CALL(Op_commutative, (MPI_Op op, int *commutes))
 {
     if (!op_is_own(op) && !object_of(op, OP))
-        return fail(NULL, CALL_Other, MPI_ERR_OP, "MPI_Op_commutative: the operation is null, or freed");
+        return fail(NULL, CALL_Op_commutative, MPI_ERR_OP, "the operation is null, or freed");
     *commutes = op_commutes(op);
     return MPI_SUCCESS;
 }
@@ -269,7 +269,7 @@ CALL(Reduce_local, (const void *in, void *inout, int count, MPI_Datatype type, M
 {
     const char *refuses = op_refuses(op, type);
     if (refuses)
-        return fail(NULL, CALL_Other, MPI_ERR_OP, "MPI_Reduce_local: %s", refuses);
+        return fail(NULL, CALL_Reduce_local, MPI_ERR_OP, "%s", refuses);
     op_apply(op, (void *)(uintptr_t)in, inout, count, type);
     return MPI_SUCCESS;
 }

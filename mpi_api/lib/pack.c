@@ -74,13 +74,13 @@ CALL(Pack,
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm_of(CALL_NAME);
+        return fail_comm(CALL_Pack);
     if (!type_is_valid(type))
-        return fail(c, CALL_Other, MPI_ERR_TYPE, "MPI_Pack: the datatype is null, freed, or not committed");
+        return fail(c, CALL_Pack, MPI_ERR_TYPE, "the datatype is null, freed, or not committed");
     size_t bytes = (size_t)count * size_of(type);
     if (count < 0 || *position < 0 || (size_t)*position + bytes > (size_t)room)
-        return fail(c, CALL_Other, count < 0 ? MPI_ERR_COUNT : MPI_ERR_TRUNCATE,
-                    "MPI_Pack: %d elements of %zu bytes do not fit into %d bytes behind position %d", count,
+        return fail(c, CALL_Pack, count < 0 ? MPI_ERR_COUNT : MPI_ERR_TRUNCATE,
+                    "%d elements of %zu bytes do not fit into %d bytes behind position %d", count,
                     size_of(type), room, *position);
     type_pack(buf, count, type, (char *)into + *position);
     *position += (int)bytes;
@@ -92,15 +92,14 @@ CALL(Unpack,
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm_of(CALL_NAME);
+        return fail_comm(CALL_Unpack);
     if (!type_is_valid(type))
-        return fail(c, CALL_Other, MPI_ERR_TYPE, "MPI_Unpack: the datatype is null, freed, or not committed");
+        return fail(c, CALL_Unpack, MPI_ERR_TYPE, "the datatype is null, freed, or not committed");
     size_t bytes = (size_t)count * size_of(type);
     if (count < 0 || *position < 0 || (size_t)*position + bytes > (size_t)size)
-        return fail(
-            c, CALL_Other, count < 0 ? MPI_ERR_COUNT : MPI_ERR_TRUNCATE,
-            "MPI_Unpack: there are fewer than %d elements of %zu bytes in %d bytes behind position %d", count,
-            size_of(type), size, *position);
+        return fail(c, CALL_Unpack, count < 0 ? MPI_ERR_COUNT : MPI_ERR_TRUNCATE,
+                    "there are fewer than %d elements of %zu bytes in %d bytes behind position %d", count,
+                    size_of(type), size, *position);
     type_unpack((const char *)from + *position, bytes, buf, count, type);
     *position += (int)bytes;
     return MPI_SUCCESS;
@@ -110,9 +109,9 @@ CALL(Pack_size, (int count, MPI_Datatype type, MPI_Comm comm, int *size))
 {
     struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm_of(CALL_NAME);
+        return fail_comm(CALL_Pack_size);
     if (!type_of(type))
-        return fail(c, CALL_Other, MPI_ERR_TYPE, "MPI_Pack_size: the datatype is null, or freed");
+        return fail(c, CALL_Pack_size, MPI_ERR_TYPE, "the datatype is null, or freed");
     *size = count * (int)size_of(type);
     return MPI_SUCCESS;
 }
@@ -132,17 +131,16 @@ void type_reverse(MPI_Datatype handle, char *bytes, size_t count)
                 }
 }
 
-static int check_external(const char *name, MPI_Datatype type)
+static int check_external(int call, const char *name, MPI_Datatype type)
 {
     if (strcmp(name, "external32") != 0)
-        return fail(NULL, CALL_Other, MPI_ERR_ARG, "there is the representation external32 only");
-    return type_of(type) ? MPI_SUCCESS
-                         : fail(NULL, CALL_Other, MPI_ERR_TYPE, "the datatype is null, or freed");
+        return fail(NULL, call, MPI_ERR_ARG, "there is the representation external32 only");
+    return type_of(type) ? MPI_SUCCESS : type_missing(call);
 }
 
 CALL(Pack_external_size, (const char name[], int count, MPI_Datatype type, MPI_Aint *size))
 {
-    int code = check_external(name, type);
+    int code = check_external(CALL_Pack_external_size, name, type);
     if (!code)
         *size = count * (MPI_Aint)size_of(type);
     return code;
@@ -151,12 +149,12 @@ CALL(Pack_external_size, (const char name[], int count, MPI_Datatype type, MPI_A
 CALL(Pack_external, (const char name[], const void *buf, int count, MPI_Datatype type, void *into,
                      MPI_Aint room, MPI_Aint *position))
 {
-    int code = check_external(name, type);
+    int code = check_external(CALL_Pack_external, name, type);
     if (code)
         return code;
     MPI_Aint bytes = count * (MPI_Aint)size_of(type);
     if (*position + bytes > room)
-        return fail(NULL, CALL_Other, MPI_ERR_TRUNCATE, "MPI_Pack_external: there is no room for %ld bytes",
+        return fail(NULL, CALL_Pack_external, MPI_ERR_TRUNCATE, "there is no room for %ld bytes",
                     (long)bytes);
     type_pack(buf, count, type, (char *)into + *position);
     type_reverse(type, (char *)into + *position, (size_t)count);
@@ -167,12 +165,12 @@ CALL(Pack_external, (const char name[], const void *buf, int count, MPI_Datatype
 CALL(Unpack_external, (const char name[], const void *from, MPI_Aint size, MPI_Aint *position, void *buf,
                        int count, MPI_Datatype type))
 {
-    int code = check_external(name, type);
+    int code = check_external(CALL_Unpack_external, name, type);
     if (code)
         return code;
     MPI_Aint bytes = count * (MPI_Aint)size_of(type);
     if (*position + bytes > size)
-        return fail(NULL, CALL_Other, MPI_ERR_TRUNCATE, "MPI_Unpack_external: fewer than %ld bytes are there",
+        return fail(NULL, CALL_Unpack_external, MPI_ERR_TRUNCATE, "fewer than %ld bytes are there",
                     (long)bytes);
     char *copy = get_memory((size_t)bytes);
     memcpy(copy, (const char *)from + *position, (size_t)bytes);
@@ -188,7 +186,7 @@ CALL(Unpack_external, (const char name[], const void *from, MPI_Aint size, MPI_A
 CALL(Get_count, (const MPI_Status *status, MPI_Datatype type, int *count))
 {
     if (!type_of(type))
-        return fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Get_count: the datatype is null, or freed");
+        return type_missing(CALL_Get_count);
     size_t bytes = status_bytes(status), size = size_of(type);
     if (!size)
         *count = bytes ? MPI_UNDEFINED : 0;
@@ -197,11 +195,11 @@ CALL(Get_count, (const MPI_Status *status, MPI_Datatype type, int *count))
     return MPI_SUCCESS;
 }
 
-CALL(Get_elements_x, (const MPI_Status *status, MPI_Datatype type, MPI_Count *count))
+static int get_elements(int call, const MPI_Status *status, MPI_Datatype type, MPI_Count *count)
 {
     const struct type *t = type_of(type);
     if (!t)
-        return fail(NULL, CALL_Other, MPI_ERR_TYPE, "MPI_Get_elements: the datatype is null, or freed");
+        return type_missing(call);
     size_t bytes = status_bytes(status), in_one = 0, n = 0;
     for (int k = 0; k < t->runs; k++)
         in_one += t->run[k].bytes / (size_t)t->run[k].unit;
@@ -220,27 +218,36 @@ CALL(Get_elements_x, (const MPI_Status *status, MPI_Datatype type, MPI_Count *co
     return MPI_SUCCESS;
 }
 
+CALL(Get_elements_x, (const MPI_Status *status, MPI_Datatype type, MPI_Count *count))
+{
+    return get_elements(CALL_Get_elements_x, status, type, count);
+}
+
 CALL(Get_elements, (const MPI_Status *status, MPI_Datatype type, int *count))
 {
     MPI_Count n;
-    int code = PMPI_Get_elements_x(status, type, &n);
+    int code = get_elements(CALL_Get_elements, status, type, &n);
     *count = code || n > INT_MAX ? MPI_UNDEFINED : (int)n;
     return code;
 }
 
-CALL(Status_set_elements_x, (MPI_Status * status, MPI_Datatype type, MPI_Count count))
+static int set_elements(int call, MPI_Status *status, MPI_Datatype type, MPI_Count count)
 {
     const struct type *t = type_of(type);
     if (!t)
-        return fail(NULL, CALL_Other, MPI_ERR_TYPE,
-                    "MPI_Status_set_elements: the datatype is null, or freed");
+        return type_missing(call);
     status_set(status, status->MPI_SOURCE, status->MPI_TAG, (size_t)count * t->size);
     return MPI_SUCCESS;
 }
 
+CALL(Status_set_elements_x, (MPI_Status * status, MPI_Datatype type, MPI_Count count))
+{
+    return set_elements(CALL_Status_set_elements_x, status, type, count);
+}
+
 CALL(Status_set_elements, (MPI_Status * status, MPI_Datatype type, int count))
 {
-    return PMPI_Status_set_elements_x(status, type, count);
+    return set_elements(CALL_Status_set_elements, status, type, count);
 }
 
 CALL(Status_set_cancelled, (MPI_Status * status, int flag))

@@ -205,6 +205,7 @@ static int prepare(struct transfer *t, bool sends, MPI_Request *request)
     int code = transfer_check(t, sends);
     if (code)
         return code;
+    t->call = CALL_Start;
     struct request *r = transfer_begin(t, sends);
     r->persistent = true;
     *request = HANDLE(MPI_Request, r);
@@ -231,7 +232,7 @@ static int prepare(struct transfer *t, bool sends, MPI_Request *request)
     CALL(name##_init, (const void *buf, int count, MPI_Datatype type, int dest, int tag, MPI_Comm comm,      \
                        MPI_Request *request))                                                                \
     {                                                                                                        \
-        struct transfer t = {CALL_Start, buf, count, type, dest, tag, comm, mode, NULL};                     \
+        struct transfer t = {CALL_##name##_init, buf, count, type, dest, tag, comm, mode, NULL};             \
         return prepare(&t, true, request);                                                                   \
     }
 SEND(Send, Isend, STANDARD)
@@ -256,61 +257,76 @@ CALL(Irecv,
 CALL(Recv_init,
      (void *buf, int count, MPI_Datatype type, int source, int tag, MPI_Comm comm, MPI_Request *request))
 {
-    struct transfer t = {CALL_Start, buf, count, type, source, tag, comm, STANDARD, NULL};
+    struct transfer t = {CALL_Recv_init, buf, count, type, source, tag, comm, STANDARD, NULL};
     return prepare(&t, false, request);
 }
 
 /* The receive is posted, the message is sent, the receive is waited for. */
+static inline __attribute__((always_inline)) int send_and_receive(struct transfer *out, struct transfer *in,
+                                                                  MPI_Status *status)
+{
+    MPI_Request request;
+    int code = transfer_check(out, true);
+    if (!code)
+        code = begin(in, false, &request);
+    if (code)
+        return code;
+    struct request *r = object_of(request, REQUEST), *s = transfer_begin(out, true);
+    request_start(s);
+    int ids[2] = {s->id, r->id};
+    struct nxm_status done[2] = {{0}, {0}};
+    if (ids[0] || ids[1])
+        tasks_complete(&(struct nxm_completion){out->call, NXM_WAIT, 2, ids, done});
+    request_finish(s, out->call, &done[0], NULL);
+    return request_finish(r, out->call, &done[1], status);
+}
+
 CALL(Sendrecv, (const void *buf, int count, MPI_Datatype type, int dest, int tag, void *into, int room,
                 MPI_Datatype as, int source, int select, MPI_Comm comm, MPI_Status *status))
 {
     struct transfer out = {CALL_Sendrecv, buf, count, type, dest, tag, comm, STANDARD, NULL};
     struct transfer in = {CALL_Sendrecv, into, room, as, source, select, comm, STANDARD, NULL};
-    MPI_Request request;
-    int code = transfer_check(&out, true);
-    if (!code)
-        code = begin(&in, false, &request);
-    if (code)
-        return code;
-    struct request *r = object_of(request, REQUEST), *s = transfer_begin(&out, true);
-    request_start(s);
-    int ids[2] = {s->id, r->id};
-    struct nxm_status done[2] = {{0}, {0}};
-    if (ids[0] || ids[1])
-        tasks_complete(&(struct nxm_completion){CALL_Sendrecv, NXM_WAIT, 2, ids, done});
-    request_finish(s, CALL_Sendrecv, &done[0], NULL);
-    return request_finish(r, CALL_Sendrecv, &done[1], status);
+    return send_and_receive(&out, &in, status);
 }
 
 CALL(Sendrecv_replace, (void *buf, int count, MPI_Datatype type, int dest, int tag, int source, int select,
                         MPI_Comm comm, MPI_Status *status))
 {
     struct transfer out = {CALL_Sendrecv_replace, buf, count, type, dest, tag, comm, STANDARD, NULL};
+    struct transfer in = {CALL_Sendrecv_replace, buf, count, type, source, select, comm, STANDARD, NULL};
     int code = transfer_check(&out, true);
     if (code)
         return code;
     size_t bytes = (size_t)count * size_of(type);
     char *copy = get_memory(bytes);
     type_pack(buf, count, type, copy);
-    code =
-        PMPI_Sendrecv(copy, (int)bytes, MPI_BYTE, dest, tag, buf, count, type, source, select, comm, status);
+    out.buf = copy, out.count = (int)bytes, out.type = MPI_BYTE;
+    code = send_and_receive(&out, &in, status);
     free(copy);
     return code;
 }
 
 /* The request is the receive's; a copy of the message goes, which its owner may forget. */
+static int copy_and_receive(struct transfer *out, struct transfer *in, MPI_Request *request)
+{
+    int code = transfer_check(out, true);
+    if (!code && out->peer != MPI_PROC_NULL)
+        buffered_copy(out);
+    return code ? code : begin(in, false, request);
+}
+
 CALL(Isendrecv, (const void *buf, int count, MPI_Datatype type, int dest, int tag, void *into, int room,
                  MPI_Datatype as, int source, int select, MPI_Comm comm, MPI_Request *request))
 {
-    struct transfer out = {CALL_Isend, buf, count, type, dest, tag, comm, STANDARD, NULL};
-    int code = transfer_check(&out, true);
-    if (!code)
-        buffered_copy(&out);
-    return code ? code : PMPI_Irecv(into, room, as, source, select, comm, request);
+    struct transfer out = {CALL_Isendrecv, buf, count, type, dest, tag, comm, STANDARD, NULL};
+    struct transfer in = {CALL_Isendrecv, into, room, as, source, select, comm, STANDARD, NULL};
+    return copy_and_receive(&out, &in, request);
 }
 
 CALL(Isendrecv_replace, (void *buf, int count, MPI_Datatype type, int dest, int tag, int source, int select,
                          MPI_Comm comm, MPI_Request *request))
 {
-    return PMPI_Isendrecv(buf, count, type, dest, tag, buf, count, type, source, select, comm, request);
+    struct transfer out = {CALL_Isendrecv_replace, buf, count, type, dest, tag, comm, STANDARD, NULL};
+    struct transfer in = {CALL_Isendrecv_replace, buf, count, type, source, select, comm, STANDARD, NULL};
+    return copy_and_receive(&out, &in, request);
 }

@@ -88,13 +88,14 @@ CALL(Improbe, (int source, int tag, MPI_Comm comm, int *flag, MPI_Message *messa
     return claim(CALL_Improbe, false, source, tag, comm, flag, message, status);
 }
 
-CALL(Imrecv, (void *buf, int count, MPI_Datatype type, MPI_Message *message, MPI_Request *request))
+static int receive(int call, void *buf, int count, MPI_Datatype type, MPI_Message *message,
+                   MPI_Request *request)
 {
     struct claim *m = object_of(*message, MESSAGE);
     bool nobody = *message == MPI_MESSAGE_NO_PROC;
     if (!m && !nobody)
-        return fail(NULL, CALL_Imrecv, MPI_ERR_REQUEST, "the message is null, or has been received");
-    struct transfer t = {CALL_Imrecv, buf, count, type, MPI_PROC_NULL, 0, MPI_COMM_NULL, STANDARD, NULL};
+        return fail(NULL, call, MPI_ERR_REQUEST, "the message is null, or has been received");
+    struct transfer t = {call, buf, count, type, MPI_PROC_NULL, 0, MPI_COMM_NULL, STANDARD, NULL};
     t.c = nobody ? &comm_world : m->comm;
     struct request *r = transfer_begin(&t, false);
     r->active = true;
@@ -114,9 +115,20 @@ CALL(Imrecv, (void *buf, int count, MPI_Datatype type, MPI_Message *message, MPI
     return MPI_SUCCESS;
 }
 
+CALL(Imrecv, (void *buf, int count, MPI_Datatype type, MPI_Message *message, MPI_Request *request))
+{
+    return receive(CALL_Imrecv, buf, count, type, message, request);
+}
+
 CALL(Mrecv, (void *buf, int count, MPI_Datatype type, MPI_Message *message, MPI_Status *status))
 {
     MPI_Request request;
-    int code = PMPI_Imrecv(buf, count, type, message, &request);
-    return code ? code : PMPI_Wait(&request, status);
+    struct nxm_status s = {0};
+    int code = receive(CALL_Mrecv, buf, count, type, message, &request);
+    if (code)
+        return code;
+    struct request *r = object_of(request, REQUEST);
+    if (r->id)
+        tasks_complete(&(struct nxm_completion){CALL_Mrecv, NXM_WAIT, 1, &r->id, &s});
+    return request_finish(r, CALL_Mrecv, &s, status);
 }

@@ -530,7 +530,7 @@ CALL(Grequest_complete, (MPI_Request request))
 {
     struct request *r = object_of(request, REQUEST);
     if (!r || r->what != GENERAL)
-        return fail(NULL, CALL_Other, MPI_ERR_REQUEST, "MPI_Grequest_complete: no generalized request");
+        return fail(NULL, CALL_Grequest_complete, MPI_ERR_REQUEST, "no generalized request");
     r->count = 1;
     return MPI_SUCCESS;
 }

@@ -33,20 +33,26 @@ void run_begin(void)
     mpi_runs = true;
 }
 
-CALL(Init, (int *argc, char ***argv))
+static int init(int call)
 {
-    (void)argc, (void)argv;
     if (mpi_runs || has_run)
-        return fail(NULL, CALL_Init, MPI_ERR_OTHER, "called a second time");
+        return fail(NULL, call, MPI_ERR_OTHER, "called a second time");
     run_begin();
     return MPI_SUCCESS;
 }
 
+CALL(Init, (int *argc, char ***argv))
+{
+    (void)argc, (void)argv;
+    return init(CALL_Init);
+}
+
 CALL(Init_thread, (int *argc, char ***argv, int required, int *provided))
 {
+    (void)argc, (void)argv;
     threads = required < MPI_THREAD_FUNNELED ? MPI_THREAD_SINGLE : MPI_THREAD_FUNNELED;
     *provided = threads;
-    return PMPI_Init(argc, argv);
+    return init(CALL_Init_thread);
 }
 
 CALL(Initialized, (int *flag))
@@ -121,10 +127,10 @@ CALL(Alloc_mem, (MPI_Aint size, MPI_Info info, void *base))
 {
     (void)info;
     if (size < 0)
-        return fail(NULL, CALL_Other, MPI_ERR_ARG, "MPI_Alloc_mem: %ld bytes", (long)size);
+        return fail(NULL, CALL_Alloc_mem, MPI_ERR_ARG, "%ld bytes", (long)size);
     void *p = malloc((size_t)size + !size);
     if (!p)
-        return fail(NULL, CALL_Other, MPI_ERR_NO_MEM, "MPI_Alloc_mem: no memory for %ld bytes", (long)size);
+        return fail(NULL, CALL_Alloc_mem, MPI_ERR_NO_MEM, "no memory for %ld bytes", (long)size);
     memcpy(base, &p, sizeof p);
     return MPI_SUCCESS;
 }

@@ -67,14 +67,14 @@ void topology_free(struct topology *t)
 }
 
 /* The communicator's grid or graph; NULL with *code: it has none. */
-const struct topology *topology_of(const char *call, MPI_Comm comm, int kind, int *code)
+const struct topology *topology_of(int call, MPI_Comm comm, int kind, int *code)
 {
     struct comm *c = comm_of(comm);
     const struct topology *t = c ? c->topology : NULL;
     if (!c)
-        *code = fail_comm_of(call);
+        *code = fail_comm(call);
     else if (!t || t->kind != kind)
-        *code = fail(c, CALL_Other, MPI_ERR_TOPOLOGY, "%s: the communicator has no %s", call,
+        *code = fail(c, call, MPI_ERR_TOPOLOGY, "the communicator has no %s",
                      kind == MPI_CART ? "grid" : "graph");
     return t && t->kind == kind ? t : NULL;
 }
@@ -83,7 +83,7 @@ CALL(Topo_test, (MPI_Comm comm, int *kind))
 {
     const struct comm *c = comm_of(comm);
     if (!c)
-        return fail_comm_of(CALL_NAME);
+        return fail_comm(CALL_Topo_test);
     *kind = c->topology ? c->topology->kind : MPI_UNDEFINED;
     return MPI_SUCCESS;
 }
@@ -110,15 +110,14 @@ CALL(Dims_create, (int nodes, int dims, int sides[]))
     int given = 1, open = 0, found[dims + 1], n = 0;
     for (int d = 0; d < dims; d++) {
         if (sides[d] < 0)
-            return fail(NULL, CALL_Other, MPI_ERR_DIMS, "MPI_Dims_create: side %d is %d", d, sides[d]);
+            return fail(NULL, CALL_Dims_create, MPI_ERR_DIMS, "side %d is %d", d, sides[d]);
         if (sides[d])
             given *= sides[d];
         open += !sides[d];
     }
     if (nodes % given || (!open && given != nodes))
-        return fail(NULL, CALL_Other, MPI_ERR_DIMS,
-                    "MPI_Dims_create: %d nodes are no multiple of the %d that the given sides make", nodes,
-                    given);
+        return fail(NULL, CALL_Dims_create, MPI_ERR_DIMS,
+                    "%d nodes are no multiple of the %d that the given sides make", nodes, given);
     find_sides(nodes / given, open, nodes, found);
     for (int d = 0; d < dims; d++)
         if (!sides[d])
@@ -195,12 +194,12 @@ int topology_rank_at(const struct topology *t, const int coords[])
 CALL(Cart_coords, (MPI_Comm comm, int rank, int most, int coords[]))
 {
     int code;
-    const struct topology *t = topology_of("MPI_Cart_coords", comm, MPI_CART, &code);
+    const struct topology *t = topology_of(CALL_Cart_coords, comm, MPI_CART, &code);
     if (!t)
         return code;
     if (rank < 0 || rank >= ranks_of(t->dims, t->sides) || most < t->dims)
-        return fail(comm_of(comm), CALL_Other, rank < 0 || most >= t->dims ? MPI_ERR_RANK : MPI_ERR_ARG,
-                    "MPI_Cart_coords: rank %d, room for %d of %d coordinates", rank, most, t->dims);
+        return fail(comm_of(comm), CALL_Cart_coords, rank < 0 || most >= t->dims ? MPI_ERR_RANK : MPI_ERR_ARG,
+                    "rank %d, room for %d of %d coordinates", rank, most, t->dims);
     topology_coords(t, rank, coords);
     return MPI_SUCCESS;
 }
@@ -208,25 +207,23 @@ CALL(Cart_coords, (MPI_Comm comm, int rank, int most, int coords[]))
 CALL(Cart_rank, (MPI_Comm comm, const int coords[], int *rank))
 {
     int code;
-    const struct topology *t = topology_of("MPI_Cart_rank", comm, MPI_CART, &code);
+    const struct topology *t = topology_of(CALL_Cart_rank, comm, MPI_CART, &code);
     if (!t)
         return code;
     *rank = topology_rank_at(t, coords);
     if (*rank == MPI_PROC_NULL)
-        return fail(comm_of(comm), CALL_Other, MPI_ERR_ARG,
-                    "MPI_Cart_rank: the coordinates lie outside of the grid");
+        return fail(comm_of(comm), CALL_Cart_rank, MPI_ERR_ARG, "the coordinates lie outside of the grid");
     return MPI_SUCCESS;
 }
 
 CALL(Cart_shift, (MPI_Comm comm, int direction, int by, int *source, int *dest))
 {
     int code;
-    const struct topology *t = topology_of("MPI_Cart_shift", comm, MPI_CART, &code);
+    const struct topology *t = topology_of(CALL_Cart_shift, comm, MPI_CART, &code);
     if (!t)
         return code;
     if (direction < 0 || direction >= t->dims)
-        return fail(comm_of(comm), CALL_Other, MPI_ERR_ARG, "MPI_Cart_shift: direction %d of %d", direction,
-                    t->dims);
+        return fail(comm_of(comm), CALL_Cart_shift, MPI_ERR_ARG, "direction %d of %d", direction, t->dims);
     int coords[t->dims];
     topology_coords(t, comm_of(comm)->local->rank, coords);
     coords[direction] += by;
@@ -239,7 +236,7 @@ CALL(Cart_shift, (MPI_Comm comm, int direction, int by, int *source, int *dest))
 CALL(Cart_get, (MPI_Comm comm, int most, int sides[], int periods[], int coords[]))
 {
     int code;
-    const struct topology *t = topology_of("MPI_Cart_get", comm, MPI_CART, &code);
+    const struct topology *t = topology_of(CALL_Cart_get, comm, MPI_CART, &code);
     if (!t)
         return code;
     int own[t->dims + 1];
@@ -252,7 +249,7 @@ CALL(Cart_get, (MPI_Comm comm, int most, int sides[], int periods[], int coords[
 CALL(Cartdim_get, (MPI_Comm comm, int *dims))
 {
     int code;
-    const struct topology *t = topology_of("MPI_Cartdim_get", comm, MPI_CART, &code);
+    const struct topology *t = topology_of(CALL_Cartdim_get, comm, MPI_CART, &code);
     if (!t)
         return code;
     *dims = t->dims;
@@ -264,7 +261,7 @@ CALL(Cart_map, (MPI_Comm comm, int dims, const int sides[], const int periods[],
     const struct comm *c = comm_of(comm);
     (void)periods;
     if (!c)
-        return fail_comm_of(CALL_NAME);
+        return fail_comm(CALL_Cart_map);
     *rank = c->local->rank < ranks_of(dims, sides) ? c->local->rank : MPI_UNDEFINED;
     return MPI_SUCCESS;
 }
@@ -273,7 +270,7 @@ CALL(Cart_map, (MPI_Comm comm, int dims, const int sides[], const int periods[],
 CALL(Cart_sub, (MPI_Comm comm, const int keep[], MPI_Comm *to))
 {
     int code, color = 0, key = 0, dims = 0;
-    const struct topology *t = topology_of("MPI_Cart_sub", comm, MPI_CART, &code);
+    const struct topology *t = topology_of(CALL_Cart_sub, comm, MPI_CART, &code);
     if (!t)
         return code;
     int coords[t->dims + 1], sides[t->dims + 1], periods[t->dims + 1];
@@ -316,7 +313,7 @@ CALL(Graph_create, (MPI_Comm comm, int nodes, const int ends[], const int edges[
 CALL(Graphdims_get, (MPI_Comm comm, int *nodes, int *edges))
 {
     int code;
-    const struct topology *t = topology_of("MPI_Graphdims_get", comm, MPI_GRAPH, &code);
+    const struct topology *t = topology_of(CALL_Graphdims_get, comm, MPI_GRAPH, &code);
     if (!t)
         return code;
     *nodes = t->nodes, *edges = t->edge_count;
@@ -326,7 +323,7 @@ CALL(Graphdims_get, (MPI_Comm comm, int *nodes, int *edges))
 CALL(Graph_get, (MPI_Comm comm, int most_nodes, int most_edges, int ends[], int edges[]))
 {
     int code;
-    const struct topology *t = topology_of("MPI_Graph_get", comm, MPI_GRAPH, &code);
+    const struct topology *t = topology_of(CALL_Graph_get, comm, MPI_GRAPH, &code);
     if (!t)
         return code;
     for (int i = 0; i < t->nodes && i < most_nodes; i++)
@@ -344,12 +341,11 @@ static int first_edge(const struct topology *t, int rank)
 CALL(Graph_neighbors_count, (MPI_Comm comm, int rank, int *count))
 {
     int code;
-    const struct topology *t = topology_of("MPI_Graph_neighbors_count", comm, MPI_GRAPH, &code);
+    const struct topology *t = topology_of(CALL_Graph_neighbors_count, comm, MPI_GRAPH, &code);
     if (!t)
         return code;
     if (rank < 0 || rank >= t->nodes)
-        return fail(comm_of(comm), CALL_Other, MPI_ERR_RANK, "MPI_Graph_neighbors_count: rank %d of %d", rank,
-                    t->nodes);
+        return fail(comm_of(comm), CALL_Graph_neighbors_count, MPI_ERR_RANK, "rank %d of %d", rank, t->nodes);
     *count = t->ends[rank] - first_edge(t, rank);
     return MPI_SUCCESS;
 }
@@ -357,12 +353,11 @@ CALL(Graph_neighbors_count, (MPI_Comm comm, int rank, int *count))
 CALL(Graph_neighbors, (MPI_Comm comm, int rank, int most, int neighbors[]))
 {
     int code;
-    const struct topology *t = topology_of("MPI_Graph_neighbors", comm, MPI_GRAPH, &code);
+    const struct topology *t = topology_of(CALL_Graph_neighbors, comm, MPI_GRAPH, &code);
     if (!t)
         return code;
     if (rank < 0 || rank >= t->nodes)
-        return fail(comm_of(comm), CALL_Other, MPI_ERR_RANK, "MPI_Graph_neighbors: rank %d of %d", rank,
-                    t->nodes);
+        return fail(comm_of(comm), CALL_Graph_neighbors, MPI_ERR_RANK, "rank %d of %d", rank, t->nodes);
     for (int i = first_edge(t, rank), n = 0; i < t->ends[rank] && n < most; i++, n++)
         neighbors[n] = t->edges[i];
     return MPI_SUCCESS;
@@ -373,7 +368,7 @@ CALL(Graph_map, (MPI_Comm comm, int nodes, const int ends[], const int edges[], 
     const struct comm *c = comm_of(comm);
     (void)ends, (void)edges;
     if (!c)
-        return fail_comm_of(CALL_NAME);
+        return fail_comm(CALL_Graph_map);
     *rank = c->local->rank < nodes ? c->local->rank : MPI_UNDEFINED;
     return MPI_SUCCESS;
 }

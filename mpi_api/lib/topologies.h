@@ -4,7 +4,7 @@
 #include "coll.h"
 
 /* The communicator's, of this kind; NULL with *code: it has none. */
-const struct topology *topology_of(const char *call, MPI_Comm comm, int kind, int *code);
+const struct topology *topology_of(int call, MPI_Comm comm, int kind, int *code);
 struct topology *topology_of_neighbors(int ins, const int sources[], const int *in_weights, int outs,
                                        const int dests[], const int *out_weights);
 /* A communicator of the first ranks, with a topology, which it takes over. */

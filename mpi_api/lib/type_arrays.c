@@ -15,15 +15,15 @@ CALL(Type_create_subarray, (int dims, const int sizes[], const int subsizes[], c
 {
     const struct type *o = type_of(old);
     if (!o)
-        return type_missing("MPI_Type_create_subarray");
+        return type_missing(CALL_Type_create_subarray);
     MPI_Aint step = type_extent(o), at = 0, whole = step;
     struct type *inner = NULL;
     for (int k = 0; k < dims; k++) {
         int d = order == MPI_ORDER_FORTRAN ? k : dims - 1 - k, room = 0;
         if (sizes[d] < 1 || subsizes[d] < 1 || starts[d] < 0 || starts[d] + subsizes[d] > sizes[d])
-            return fail(NULL, CALL_Other, MPI_ERR_ARG,
-                        "MPI_Type_create_subarray: dimension %d has %d elements; %d from %d on are asked for",
-                        d, sizes[d], subsizes[d], starts[d]);
+            return fail(NULL, CALL_Type_create_subarray, MPI_ERR_ARG,
+                        "dimension %d has %d elements; %d from %d on are asked for", d, sizes[d], subsizes[d],
+                        starts[d]);
         struct type *t = type_new();
         for (int i = 0; i < subsizes[d]; i++)
             type_add(t, &room, inner ? inner : o, 1, i * whole);
@@ -68,7 +68,7 @@ CALL(Type_create_darray,
 {
     const struct type *o = type_of(old);
     if (!o)
-        return type_missing("MPI_Type_create_darray");
+        return type_missing(CALL_Type_create_darray);
     MPI_Aint step = type_extent(o);
     struct type *inner = NULL;
     int coords[dims + 1], left = rank, room = 0;

@@ -88,9 +88,9 @@ void type_made_of_type(struct type *t, int i, MPI_Datatype old)
     type_keep(old);
 }
 
-static int bad_count(const char *call, int count)
+static int bad_count(int call, int count)
 {
-    return fail(NULL, CALL_Other, MPI_ERR_COUNT, "%s: the count %d is negative", call, count);
+    return fail(NULL, call, MPI_ERR_COUNT, "the count %d is negative", count);
 }
 
 CALL(Type_contiguous, (int count, MPI_Datatype old, MPI_Datatype *type))
@@ -98,9 +98,9 @@ CALL(Type_contiguous, (int count, MPI_Datatype old, MPI_Datatype *type))
     const struct type *o = type_of(old);
     int room = 0;
     if (!o)
-        return type_missing("MPI_Type_contiguous");
+        return type_missing(CALL_Type_contiguous);
     if (count < 0)
-        return bad_count("MPI_Type_contiguous", count);
+        return bad_count(CALL_Type_contiguous, count);
     struct type *t = type_new();
     type_add(t, &room, o, count, 0);
     type_made_of(t, 1, 0, 1);
@@ -123,9 +123,9 @@ CALL(Type_vector, (int count, int length, int stride, MPI_Datatype old, MPI_Data
 {
     const struct type *o = type_of(old);
     if (!o)
-        return type_missing("MPI_Type_vector");
+        return type_missing(CALL_Type_vector);
     if (count < 0 || length < 0)
-        return bad_count("MPI_Type_vector", count < 0 ? count : length);
+        return bad_count(CALL_Type_vector, count < 0 ? count : length);
     struct type *t = strided(count, length, stride * type_extent(o), o);
     type_made_of(t, 3, 0, 1);
     t->int_list[0] = count, t->int_list[1] = length, t->int_list[2] = stride;
@@ -138,9 +138,9 @@ CALL(Type_create_hvector, (int count, int length, MPI_Aint stride, MPI_Datatype 
 {
     const struct type *o = type_of(old);
     if (!o)
-        return type_missing("MPI_Type_create_hvector");
+        return type_missing(CALL_Type_create_hvector);
     if (count < 0 || length < 0)
-        return bad_count("MPI_Type_create_hvector", count < 0 ? count : length);
+        return bad_count(CALL_Type_create_hvector, count < 0 ? count : length);
     struct type *t = strided(count, length, stride, o);
     type_made_of(t, 2, 1, 1);
     t->int_list[0] = count, t->int_list[1] = length, t->address_list[0] = stride;
@@ -156,8 +156,7 @@ struct places {
     const MPI_Aint *bytes;
 };
 
-static int indexed(const char *call, const struct places *p, MPI_Datatype old, int combiner,
-                   MPI_Datatype *type)
+static int indexed(int call, const struct places *p, MPI_Datatype old, int combiner, MPI_Datatype *type)
 {
     const struct type *o = type_of(old);
     int room = 0, at = 0;
@@ -188,27 +187,27 @@ static int indexed(const char *call, const struct places *p, MPI_Datatype old, i
 
 CALL(Type_indexed, (int count, const int lengths[], const int at[], MPI_Datatype old, MPI_Datatype *type))
 {
-    return indexed("MPI_Type_indexed", &(struct places){count, 0, lengths, at, NULL}, old,
+    return indexed(CALL_Type_indexed, &(struct places){count, 0, lengths, at, NULL}, old,
                    MPI_COMBINER_INDEXED, type);
 }
 
 CALL(Type_create_hindexed,
      (int count, const int lengths[], const MPI_Aint at[], MPI_Datatype old, MPI_Datatype *type))
 {
-    return indexed("MPI_Type_create_hindexed", &(struct places){count, 0, lengths, NULL, at}, old,
+    return indexed(CALL_Type_create_hindexed, &(struct places){count, 0, lengths, NULL, at}, old,
                    MPI_COMBINER_HINDEXED, type);
 }
 
 CALL(Type_create_indexed_block, (int count, int length, const int at[], MPI_Datatype old, MPI_Datatype *type))
 {
-    return indexed("MPI_Type_create_indexed_block", &(struct places){count, length, NULL, at, NULL}, old,
+    return indexed(CALL_Type_create_indexed_block, &(struct places){count, length, NULL, at, NULL}, old,
                    MPI_COMBINER_INDEXED_BLOCK, type);
 }
 
 CALL(Type_create_hindexed_block,
      (int count, int length, const MPI_Aint at[], MPI_Datatype old, MPI_Datatype *type))
 {
-    return indexed("MPI_Type_create_hindexed_block", &(struct places){count, length, NULL, NULL, at}, old,
+    return indexed(CALL_Type_create_hindexed_block, &(struct places){count, length, NULL, NULL, at}, old,
                    MPI_COMBINER_HINDEXED_BLOCK, type);
 }
 
@@ -217,10 +216,10 @@ CALL(Type_create_struct,
 {
     int room = 0;
     if (count < 0)
-        return bad_count("MPI_Type_create_struct", count);
+        return bad_count(CALL_Type_create_struct, count);
     for (int i = 0; i < count; i++)
         if (!type_of(types[i]))
-            return type_missing("MPI_Type_create_struct");
+            return type_missing(CALL_Type_create_struct);
     struct type *t = type_new();
     type_made_of(t, 1 + count, count, count);
     t->int_list[0] = count;
@@ -238,7 +237,7 @@ CALL(Type_create_resized, (MPI_Datatype old, MPI_Aint lb, MPI_Aint extent, MPI_D
     const struct type *o = type_of(old);
     int room = 0;
     if (!o)
-        return type_missing("MPI_Type_create_resized");
+        return type_missing(CALL_Type_create_resized);
     struct type *t = type_new();
     type_add(t, &room, o, 1, 0);
     t->lb = lb, t->ub = lb + extent, t->has_lb = t->has_ub = true;
@@ -254,7 +253,7 @@ CALL(Type_dup, (MPI_Datatype old, MPI_Datatype *type))
     struct type *o = type_of(old);
     int room = 0, code;
     if (!o)
-        return type_missing("MPI_Type_dup");
+        return type_missing(CALL_Type_dup);
     struct type *t = type_new();
     type_add(t, &room, o, 1, 0);
     t->lb = o->lb, t->ub = o->ub, t->has_lb = o->has_lb, t->has_ub = o->has_ub;

@@ -8,7 +8,7 @@
     {                                                                                                        \
         const struct type *t = type_of(type);                                                                \
         if (!t)                                                                                              \
-            return type_missing("MPI_" #name);                                                               \
+            return type_missing(CALL_##name);                                                                \
         *value = (type_of_value)(expression);                                                                \
         return MPI_SUCCESS;                                                                                  \
     }
@@ -18,33 +18,19 @@ GET(Type_extent, MPI_Aint, type_extent(t))
 GET(Type_lb, MPI_Aint, t->lb)
 GET(Type_ub, MPI_Aint, t->ub)
 
-CALL(Type_get_extent, (MPI_Datatype type, MPI_Aint *lb, MPI_Aint *extent))
-{
-    const struct type *t = type_of(type);
-    if (!t)
-        return type_missing("MPI_Type_get_extent");
-    *lb = t->lb, *extent = type_extent(t);
-    return MPI_SUCCESS;
-}
-
-CALL(Type_get_true_extent, (MPI_Datatype type, MPI_Aint *lb, MPI_Aint *extent))
-{
-    const struct type *t = type_of(type);
-    if (!t)
-        return type_missing("MPI_Type_get_true_extent");
-    *lb = t->true_lb, *extent = t->true_ub - t->true_lb;
-    return MPI_SUCCESS;
-}
-
-CALL(Type_get_extent_x, (MPI_Datatype type, MPI_Count *lb, MPI_Count *extent))
-{
-    return PMPI_Type_get_extent(type, lb, extent);
-}
-
-CALL(Type_get_true_extent_x, (MPI_Datatype type, MPI_Count *lb, MPI_Count *extent))
-{
-    return PMPI_Type_get_true_extent(type, lb, extent);
-}
+#define GET_EXTENT(name, type_of_value, lower, upper)                                                        \
+    CALL(name, (MPI_Datatype type, type_of_value * lb, type_of_value * extent))                              \
+    {                                                                                                        \
+        const struct type *t = type_of(type);                                                                \
+        if (!t)                                                                                              \
+            return type_missing(CALL_##name);                                                                \
+        *lb = t->lower, *extent = t->upper - t->lower;                                                       \
+        return MPI_SUCCESS;                                                                                  \
+    }
+GET_EXTENT(Type_get_extent, MPI_Aint, lb, ub)
+GET_EXTENT(Type_get_extent_x, MPI_Count, lb, ub)
+GET_EXTENT(Type_get_true_extent, MPI_Aint, true_lb, true_ub)
+GET_EXTENT(Type_get_true_extent_x, MPI_Count, true_lb, true_ub)
 
 CALL(Type_match_size, (int kind, int size, MPI_Datatype *type))
 {
@@ -59,15 +45,14 @@ CALL(Type_match_size, (int kind, int size, MPI_Datatype *type))
     for (size_t i = 0; i < sizeof matches / sizeof *matches; i++)
         if (matches[i].kind == kind && matches[i].size == size)
             return *type = matches[i].type, MPI_SUCCESS;
-    return fail(NULL, CALL_Other, MPI_ERR_ARG, "MPI_Type_match_size: no datatype of this kind has %d bytes",
-                size);
+    return fail(NULL, CALL_Type_match_size, MPI_ERR_ARG, "no datatype of this kind has %d bytes", size);
 }
 
 CALL(Type_get_envelope, (MPI_Datatype type, int *ints, int *addresses, int *types, int *combiner))
 {
     const struct type *t = type_of(type);
     if (!t)
-        return type_missing("MPI_Type_get_envelope");
+        return type_missing(CALL_Type_get_envelope);
     *ints = t->ints, *addresses = t->addresses, *types = t->types, *combiner = t->combiner;
     return MPI_SUCCESS;
 }
@@ -77,11 +62,10 @@ CALL(Type_get_contents, (MPI_Datatype type, int max_ints, int max_addresses, int
 {
     const struct type *t = type_of(type);
     if (!t)
-        return type_missing("MPI_Type_get_contents");
+        return type_missing(CALL_Type_get_contents);
     if (t->combiner == MPI_COMBINER_NAMED || max_ints < t->ints || max_addresses < t->addresses ||
         max_types < t->types)
-        return fail(NULL, CALL_Other, MPI_ERR_ARG,
-                    "MPI_Type_get_contents: a type of MPI's own, or too little room");
+        return fail(NULL, CALL_Type_get_contents, MPI_ERR_ARG, "a type of MPI's own, or too little room");
     memcpy(ints, t->int_list, (size_t)t->ints * sizeof *ints);
     memcpy(addresses, t->address_list, (size_t)t->addresses * sizeof *addresses);
     for (int i = 0; i < t->types; i++) {

@@ -3,9 +3,6 @@
 #define MPI_TYPES_H
 #include "lib.h"
 
-/* The datatype is none: what the call returns. */
-int type_missing(const char *call);
-
 /* A new datatype with nothing in it. */
 struct type *type_new(void);
 /* Adds `count` elements of old, one extent after the other, from `at` on. *room: what its list of runs has

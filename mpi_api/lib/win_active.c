@@ -69,9 +69,9 @@ CALL(Win_fence, (int assert, MPI_Win win))
     struct win *w = win_of(win);
     if (!w)
         return fail_no_win(CALL_Win_fence);
-    if (w->started || w->posted)
-        return fail_win(w, CALL_Win_fence, MPI_ERR_RMA_SYNC,
-                        "an epoch of MPI_Win_start or MPI_Win_post goes on");
+    int code = win_check_idle(w, CALL_Win_fence);
+    if (code)
+        return code;
     w->fenced = !(assert &MPI_MODE_NOSUCCEED);
     if (assert & MPI_MODE_NOPRECEDE)
         return MPI_SUCCESS;

@@ -112,6 +112,7 @@ static void lock(struct win *w, int call, int rank, int kind, int assert)
     if (asks)
         ask(w, call, rank, LOCK, kind);
     w->locked[rank] = asks ? kind : -1;
+    w->locks++;
 }
 
 /* All accesses to the rank have been carried out when it has answered. */
@@ -126,6 +127,7 @@ static void unlock(struct win *w, int call, int rank)
     access_wait(w, call, rank);
     ask(w, call, rank, w->locked[rank] < 0 ? FLUSH : UNLOCK, 0);
     w->locked[rank] = 0;
+    w->locks--;
 }
 
 bool passive_may(const struct win *w, int rank)
@@ -258,5 +260,5 @@ CALL(Win_flush_local_all, (MPI_Win win))
 
 CALL(Win_sync, (MPI_Win win))
 {
-    return win_of(win) ? MPI_SUCCESS : fail_no_win_of(CALL_NAME);
+    return win_of(win) ? MPI_SUCCESS : fail_no_win(CALL_Win_sync);
 }

@@ -23,9 +23,14 @@ int fail_no_win(int call)
     return fail(NULL, call, MPI_ERR_WIN, "the window is null, or freed");
 }
 
-int fail_no_win_of(const char *call)
+int win_check_idle(struct win *w, int call)
 {
-    return fail(NULL, CALL_Other, MPI_ERR_WIN, "%s: the window is null, or freed", call);
+    const char *begun = w->started  ? "MPI_Win_start"
+                        : w->posted ? "MPI_Win_post"
+                        : w->all    ? "MPI_Win_lock_all"
+                        : w->locks  ? "MPI_Win_lock"
+                                    : NULL;
+    return begun ? fail_win(w, call, MPI_ERR_RMA_SYNC, "an epoch of %s goes on", begun) : MPI_SUCCESS;
 }
 
 /* --- making and freeing --- */
@@ -67,23 +72,23 @@ CALL(Win_create, (void *base, MPI_Aint size, int unit, MPI_Info info, MPI_Comm c
     return MPI_SUCCESS;
 }
 
-static int allocate(int flavor, MPI_Aint size, int unit, MPI_Info info, struct comm *c, void *base,
+static int allocate(int call, int flavor, MPI_Aint size, int unit, MPI_Info info, struct comm *c, void *base,
                     MPI_Win *win)
 {
-    int code = check(c, CALL_Win_allocate, size, unit);
+    int code = check(c, call, size, unit);
     if (code)
         return code;
     struct win *w = object_new(WIN, sizeof *w);
     w->flavor = flavor, w->size = size, w->unit = unit, w->allocated = true;
     w->base = get_memory((size_t)size + !size);
     memcpy(base, &w->base, sizeof w->base);
-    make(w, c, CALL_Win_allocate, info, win);
+    make(w, c, call, info, win);
     return MPI_SUCCESS;
 }
 
 CALL(Win_allocate, (MPI_Aint size, int unit, MPI_Info info, MPI_Comm comm, void *base, MPI_Win *win))
 {
-    return allocate(MPI_WIN_FLAVOR_ALLOCATE, size, unit, info, comm_of(comm), base, win);
+    return allocate(CALL_Win_allocate, MPI_WIN_FLAVOR_ALLOCATE, size, unit, info, comm_of(comm), base, win);
 }
 
 /* No two nodes share memory: the communicator, as MPI_Comm_split_type makes it, has one rank. */
@@ -91,18 +96,18 @@ CALL(Win_allocate_shared, (MPI_Aint size, int unit, MPI_Info info, MPI_Comm comm
 {
     struct comm *c = comm_of(comm);
     if (c && c->local->size > 1)
-        return fail(c, CALL_Win_allocate, MPI_ERR_RMA_SHARED,
+        return fail(c, CALL_Win_allocate_shared, MPI_ERR_RMA_SHARED,
                     "nodes share no memory: MPI_Comm_split_type tells which ranks do");
-    return allocate(MPI_WIN_FLAVOR_SHARED, size, unit, info, c, base, win);
+    return allocate(CALL_Win_allocate_shared, MPI_WIN_FLAVOR_SHARED, size, unit, info, c, base, win);
 }
 
 CALL(Win_shared_query, (MPI_Win win, int rank, MPI_Aint *size, int *unit, void *base))
 {
     struct win *w = win_of(win);
     if (!w)
-        return fail_no_win_of(CALL_NAME);
+        return fail_no_win(CALL_Win_shared_query);
     if (w->flavor != MPI_WIN_FLAVOR_SHARED)
-        return fail_win(w, CALL_Other, MPI_ERR_RMA_FLAVOR, "MPI_Win_shared_query: the window is not shared");
+        return fail_win(w, CALL_Win_shared_query, MPI_ERR_RMA_FLAVOR, "the window is not shared");
     (void)rank;
     *size = w->size, *unit = w->unit;
     memcpy(base, &w->base, sizeof w->base);
@@ -122,26 +127,26 @@ CALL(Win_create_dynamic, (MPI_Info info, MPI_Comm comm, MPI_Win *win))
     return MPI_SUCCESS;
 }
 
-static int check_dynamic(MPI_Win win)
+static int check_dynamic(int call, MPI_Win win)
 {
     struct win *w = win_of(win);
     if (!w)
-        return fail_no_win_of("MPI_Win_attach or MPI_Win_detach");
+        return fail_no_win(call);
     return w->flavor == MPI_WIN_FLAVOR_DYNAMIC
                ? MPI_SUCCESS
-               : fail_win(w, CALL_Other, MPI_ERR_RMA_FLAVOR, "the window is not a dynamic one");
+               : fail_win(w, call, MPI_ERR_RMA_FLAVOR, "the window is not a dynamic one");
 }
 
 CALL(Win_attach, (MPI_Win win, void *base, MPI_Aint size))
 {
     (void)base, (void)size;
-    return check_dynamic(win);
+    return check_dynamic(CALL_Win_attach, win);
 }
 
 CALL(Win_detach, (MPI_Win win, const void *base))
 {
     (void)base;
-    return check_dynamic(win);
+    return check_dynamic(CALL_Win_detach, win);
 }
 
 CALL(Win_free, (MPI_Win * win))
@@ -149,8 +154,11 @@ CALL(Win_free, (MPI_Win * win))
     struct win *w = win_of(*win);
     if (!w)
         return fail_no_win(CALL_Win_free);
+    int code = win_check_idle(w, CALL_Win_free);
+    if (code)
+        return code;
     const struct coll o = coll_of(w->comm, CALL_Win_free);
-    int code = attribute_delete_all((void *)*win, &w->attributes);
+    code = attribute_delete_all((void *)*win, &w->attributes);
     if (code)
         return fail_win(w, CALL_Win_free, code, "an attribute's delete function says no");
     coll_barrier(&o);
@@ -174,14 +182,14 @@ CALL(Win_free, (MPI_Win * win))
 CALL(Win_get_group, (MPI_Win win, MPI_Group *group))
 {
     struct win *w = win_of(win);
-    return w ? PMPI_Comm_group(HANDLE(MPI_Comm, w->comm), group) : fail_no_win_of(CALL_NAME);
+    return w ? PMPI_Comm_group(HANDLE(MPI_Comm, w->comm), group) : fail_no_win(CALL_Win_get_group);
 }
 
 CALL(Win_set_name, (MPI_Win win, const char *name))
 {
     struct win *w = win_of(win);
     if (!w)
-        return fail_no_win_of(CALL_NAME);
+        return fail_no_win(CALL_Win_set_name);
     free(w->name);
     w->name = strndup(name, MPI_MAX_OBJECT_NAME - 1);
     return MPI_SUCCESS;
@@ -191,7 +199,7 @@ CALL(Win_get_name, (MPI_Win win, char *name, int *length))
 {
     const struct win *w = win_of(win);
     if (!w && win != MPI_WIN_NULL)
-        return fail_no_win_of(CALL_NAME);
+        return fail_no_win(CALL_Win_get_name);
     *length = snprintf(name, MPI_MAX_OBJECT_NAME, "%s", !w ? "MPI_WIN_NULL" : w->name ? w->name : "");
     return MPI_SUCCESS;
 }
@@ -200,7 +208,7 @@ CALL(Win_set_info, (MPI_Win win, MPI_Info info))
 {
     struct win *w = win_of(win);
     if (!w)
-        return fail_no_win_of(CALL_NAME);
+        return fail_no_win(CALL_Win_set_info);
     return info_keep(&w->info, info);
 }
 
@@ -208,7 +216,7 @@ CALL(Win_get_info, (MPI_Win win, MPI_Info *info))
 {
     const struct win *w = win_of(win);
     if (!w)
-        return fail_no_win_of(CALL_NAME);
+        return fail_no_win(CALL_Win_get_info);
     return info_give(w->info, info);
 }
 
@@ -222,21 +230,21 @@ CALL(Win_create_keyval,
 
 CALL(Win_free_keyval, (int *keyval))
 {
-    return attribute_key_free("MPI_Win_free_keyval", keyval);
+    return attribute_key_free(CALL_Win_free_keyval, keyval);
 }
 
 CALL(Win_set_attr, (MPI_Win win, int keyval, void *value))
 {
     struct win *w = win_of(win);
-    return w ? attribute_set("MPI_Win_set_attr", win, &w->attributes, keyval, value)
-             : fail_no_win_of(CALL_NAME);
+    return w ? attribute_set(CALL_Win_set_attr, win, &w->attributes, keyval, value)
+             : fail_no_win(CALL_Win_set_attr);
 }
 
 CALL(Win_delete_attr, (MPI_Win win, int keyval))
 {
     struct win *w = win_of(win);
-    return w ? attribute_delete("MPI_Win_delete_attr", win, &w->attributes, keyval)
-             : fail_no_win_of(CALL_NAME);
+    return w ? attribute_delete(CALL_Win_delete_attr, win, &w->attributes, keyval)
+             : fail_no_win(CALL_Win_delete_attr);
 }
 
 /* The base is the pointer itself, the others are pointers to numbers. */
@@ -245,14 +253,14 @@ CALL(Win_get_attr, (MPI_Win win, int keyval, void *value, int *flag))
     static int model = MPI_WIN_UNIFIED;
     struct win *w = win_of(win);
     if (!w)
-        return fail_no_win_of(CALL_NAME);
+        return fail_no_win(CALL_Win_get_attr);
     const void *own = keyval == MPI_WIN_BASE            ? w->base
                       : keyval == MPI_WIN_SIZE          ? (void *)&w->size
                       : keyval == MPI_WIN_DISP_UNIT     ? (void *)&w->unit
                       : keyval == MPI_WIN_CREATE_FLAVOR ? (void *)&w->flavor
                                                         : &model;
     if (keyval < MPI_WIN_BASE || keyval > MPI_WIN_MODEL)
-        return attribute_get("MPI_Win_get_attr", &w->attributes, keyval, value, flag);
+        return attribute_get(CALL_Win_get_attr, &w->attributes, keyval, value, flag);
     memcpy(value, &own, sizeof own);
     *flag = true;
     return MPI_SUCCESS;
@@ -269,7 +277,7 @@ CALL(Win_set_errhandler, (MPI_Win win, MPI_Errhandler handler))
 {
     struct win *w = win_of(win);
     if (!w)
-        return fail_no_win_of(CALL_NAME);
+        return fail_no_win(CALL_Win_set_errhandler);
     handler_set(&w->handler, handler);
     return MPI_SUCCESS;
 }
@@ -278,7 +286,7 @@ CALL(Win_get_errhandler, (MPI_Win win, MPI_Errhandler *handler))
 {
     const struct win *w = win_of(win);
     if (!w)
-        return fail_no_win_of(CALL_NAME);
+        return fail_no_win(CALL_Win_get_errhandler);
     *handler = handler_get(w->handler);
     return MPI_SUCCESS;
 }
@@ -286,5 +294,6 @@ CALL(Win_get_errhandler, (MPI_Win win, MPI_Errhandler *handler))
 CALL(Win_call_errhandler, (MPI_Win win, int code))
 {
     const struct win *w = win_of(win);
-    return w ? handler_call(w->handler, &win, code) : fail_no_win_of(CALL_NAME);
+    return w ? handler_call(CALL_Win_call_errhandler, w->handler, &win, code)
+             : fail_no_win(CALL_Win_call_errhandler);
 }

@@ -72,6 +72,7 @@ struct win {
     struct access *kept, **last_kept;
     /* passive */
     int *locked; /* of each rank: 0, or the kind of lock */
+    int locks;   /* so many ranks are locked */
     bool all;    /* all ranks: each is locked when it is first accessed */
     struct win_server *server;
     struct pending *pending, **last_pending;
@@ -80,7 +81,8 @@ struct win {
 struct win *win_of(MPI_Win handle); /* NULL: none */
 int fail_win(struct win *w, int call, int code, const char *fmt, ...) __attribute__((format(printf, 4, 5)));
 int fail_no_win(int call);
-int fail_no_win_of(const char *call);
+/* An error if an epoch of the rank goes on, other than of fences. */
+int win_check_idle(struct win *w, int call);
 
 /* --- accesses --- */
 

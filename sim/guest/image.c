@@ -129,16 +129,21 @@ static bool lay_out(struct node_image *img, char **error)
     return true;
 }
 
-/* Does the program call an MPI library of this computer's? */
-static bool is_of_mpi(const struct elf_file *f)
+/* If the program calls an MPI library of this computer's: what to do; else NULL. NX on a cluster calls MPI by
+ * its names PMPI_ alone. */
+static const char *advice_on_mpi(const struct elf_file *f)
 {
+    const char *advice = NULL;
     for (size_t i = 1; i < f->dynamic.count; i++) {
         const char *name = elf_name(&f->dynamic, &f->dynamic.sym[i]);
-        if (f->dynamic.sym[i].st_shndx == SHN_UNDEF &&
-            (!strncmp(name, "MPI_", 4) || !strncmp(name, "PMPI_", 5)))
-            return true;
+        if (f->dynamic.sym[i].st_shndx != SHN_UNDEF)
+            continue;
+        if (!strncmp(name, "MPI_", 4) || !strncmp(name, "mpi_", 4))
+            return ": for simulated nodes, build it with the mpicc or mpif90 that nxcc --as-mpi DIR makes";
+        if (!strncmp(name, "PMPI_", 5))
+            advice = " by nxcc --mpi: start it with mpirun; for simulated nodes, link it without --mpi";
     }
-    return false;
+    return advice;
 }
 
 /* Finds nxc_image, and checks that the file was built to the version of the contract that this loader
@@ -149,12 +154,9 @@ static bool find_object(struct node_image *img, char **error)
     const Elf64_Sym *s = elf_defined(&f->dynamic, "nxc_image");
     struct nxc_image object;
     const void *bytes = s == NULL ? NULL : elf_at(f, s->st_value, sizeof object);
-    if (bytes == NULL && is_of_mpi(f))
-        return elf_fail(
-            error,
-            "%s: linked with this computer's MPI, by nxcc --mpi or mpicc: start it with mpirun; for "
-            "simulated nodes, link it with nxcc without --mpi",
-            f->path);
+    const char *advice = bytes == NULL ? advice_on_mpi(f) : NULL;
+    if (advice != NULL)
+        return elf_fail(error, "%s: linked with this computer's MPI%s", f->path, advice);
     if (bytes == NULL)
         return elf_fail(error, "%s: %s", f->path, ELF_NOT_NXCC);
     memcpy(&object, bytes, sizeof object);

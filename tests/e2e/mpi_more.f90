@@ -5,7 +5,7 @@ program more
     use iso_c_binding
     implicit none
     integer :: ierr, i, rank, n, right, left, request, grid, twin, vector, more_kinds(1), ints(3), made(1), got(2), total, known
-    integer :: status(MPI_STATUS_SIZE), length, group, info, window, cell
+    integer :: status(MPI_STATUS_SIZE), length, group, info, window, cell, again, file
     integer, allocatable :: out(:), into(:), counts(:), places(:), kinds(:)
     integer(kind=MPI_ADDRESS_KIND) :: extra, none(1), bytes, zero
     integer(kind=8) :: longs(2)
@@ -14,7 +14,7 @@ program more
     type(c_ptr) :: memory
     integer, pointer :: numbers(:)
     character(len=MPI_MAX_LIBRARY_VERSION_STRING) :: version
-    external :: query, release, cancel
+    external :: query, release, cancel, of_file
     call MPI_INIT(ierr)
     call MPI_COMM_RANK(MPI_COMM_WORLD, rank, ierr)
     call MPI_COMM_SIZE(MPI_COMM_WORLD, n, ierr)
@@ -102,6 +102,63 @@ program more
     call MPI_WIN_UNLOCK(right, window, ierr)
     call MPI_WIN_FREE(window, ierr)
     call expect("raccumulate", cell == left)
+
+    call MPI_COMM_IDUP(MPI_COMM_WORLD, twin, request, ierr)
+    call MPI_WAIT(request, MPI_STATUS_IGNORE, ierr)
+    call MPI_COMM_IDUP_WITH_INFO(twin, MPI_INFO_NULL, again, request, ierr)
+    call MPI_WAIT(request, MPI_STATUS_IGNORE, ierr)
+    call MPI_COMM_COMPARE(again, MPI_COMM_WORLD, known, ierr)
+    call expect("comm_idup", known == MPI_CONGRUENT)
+
+    call MPI_ISENDRECV(rank, 1, MPI_INTEGER, right, 3, got, 1, MPI_INTEGER, left, 3, again, request, ierr)
+    call MPI_WAIT(request, status, ierr)
+    call MPI_GET_ELEMENTS_X(status, MPI_INTEGER, longs(1), ierr)
+    call expect("isendrecv, get_elements_x", got(1) == left .and. longs(1) == 1)
+    call MPI_ISENDRECV_REPLACE(got, 1, MPI_INTEGER, left, 4, right, 4, again, request, ierr)
+    call MPI_WAIT(request, MPI_STATUS_IGNORE, ierr)
+    call expect("isendrecv_replace", got(1) == rank)
+    call MPI_STATUS_SET_ELEMENTS_X(status, MPI_INTEGER, 3000000000_8, ierr)
+    call MPI_GET_ELEMENTS_X(status, MPI_INTEGER, longs(1), ierr)
+    call expect("status_set_elements_x", longs(1) == 3000000000_8)
+
+    call MPI_ALLTOALLW_INIT(out, counts, places, kinds, into, counts, places, kinds, again, MPI_INFO_NULL, request, ierr)
+    do i = 1, 3
+        out = [(100 * rank + known * i, known = 0, n - 1)]
+        call MPI_START(request, ierr)
+        call MPI_WAIT(request, MPI_STATUS_IGNORE, ierr)
+        call expect("alltoallw_init", all(into == [(100 * known + rank * i, known = 0, n - 1)]))
+    end do
+    call MPI_REQUEST_FREE(request, ierr)
+
+    got = 0
+    call MPI_NEIGHBOR_ALLTOALLW([rank, -rank], [1, 1], [0_8, 4_8], [MPI_INTEGER, MPI_INTEGER], got, [1, 1], [4_8, 0_8], &
+        [MPI_INTEGER, MPI_INTEGER], grid, ierr)
+    call expect("neighbor_alltoallw", all(got == [right, -left]))
+    call MPI_INEIGHBOR_ALLTOALLW([rank, -rank], [1, 1], [0_8, 4_8], [MPI_INTEGER, MPI_INTEGER], got, [1, 1], [0_8, 4_8], &
+        [MPI_INTEGER, MPI_INTEGER], grid, request, ierr)
+    call MPI_WAIT(request, MPI_STATUS_IGNORE, ierr)
+    call expect("ineighbor_alltoallw", all(got == [-left, right]))
+
+    call MPI_TYPE_VECTOR(2, 1, 3, MPI_INTEGER, vector, ierr)
+    call MPI_TYPE_SIZE_X(vector, longs(1), ierr)
+    call MPI_TYPE_GET_EXTENT_X(vector, zero, longs(2), ierr)
+    call expect("type_size_x, type_get_extent_x", all([longs, zero] == [8_8, 16_8, 0_8]))
+    call MPI_TYPE_GET_TRUE_EXTENT_X(vector, longs(1), longs(2), ierr)
+    call expect("type_get_true_extent_x", all(longs == [0_8, 16_8]))
+
+    call MPI_WIN_ALLOCATE_SHARED(bytes, 4, MPI_INFO_NULL, MPI_COMM_SELF, memory, window, ierr)
+    call MPI_WIN_SHARED_QUERY(window, 0, longs(1), known, extra, ierr)
+    call expect("win_shared_query", longs(1) == 4 .and. known == 4 .and. extra == transfer(memory, extra))
+    call MPI_WIN_FREE(window, ierr)
+
+    extra = 3
+    call MPI_REGISTER_DATAREP("thrice", MPI_CONVERSION_FN_NULL, MPI_CONVERSION_FN_NULL, of_file, extra, ierr)
+    i = MPI_MODE_CREATE + MPI_MODE_RDWR + MPI_MODE_DELETE_ON_CLOSE
+    call MPI_FILE_OPEN(MPI_COMM_WORLD, "thrice", i, MPI_INFO_NULL, file, ierr)
+    call MPI_FILE_SET_VIEW(file, 0_8, MPI_INTEGER, MPI_INTEGER, "thrice", MPI_INFO_NULL, ierr)
+    call MPI_FILE_GET_TYPE_EXTENT(file, MPI_INTEGER, bytes, ierr)
+    call expect("register_datarep", bytes == 12)
+    call MPI_FILE_CLOSE(file, ierr)
     if (rank == 0) print "(a)", "done"
     call MPI_COMM_SET_ERRHANDLER(MPI_COMM_WORLD, MPI_ERRORS_RETURN, ierr)
     call MPI_TYPE_CREATE_STRUCT(-1, counts, none, kinds, vector, ierr)
@@ -137,4 +194,12 @@ subroutine cancel(extra, complete, ierr)
     integer :: ierr
     if (complete .or. extra /= 5) print *, "wrong: cancel"
     ierr = MPI_SUCCESS
+end subroutine
+
+subroutine of_file(kind, bytes, times, ierr)
+    use mpi
+    integer(kind=MPI_ADDRESS_KIND) :: bytes, times
+    integer :: kind, size, ierr
+    call MPI_TYPE_SIZE(kind, size, ierr)
+    bytes = times * size
 end subroutine

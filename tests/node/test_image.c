@@ -211,6 +211,19 @@ static void programs_of_other_compilers_are_refused(void **state)
     assert_refused(at(w, "a.o"), "link it with nxcc");
 }
 
+/* Of C or Fortran; NX's programs call PMPI_ names only. */
+static void programs_of_other_mpis_are_refused(void **state)
+{
+    const char *path = at(*state, "mpi.so");
+    for (int k = 0; k < 3; k++) {
+        const char *name = (const char *[]){"MPI_Init", "mpi_init_", "PMPI_Init"}[k];
+        shell("echo 'void %s(void); int main(void) { %s(); }' | gcc -shared -fPIC -o %s -x c -", name, name,
+              path);
+        assert_refused(path, k == 2 ? "linked with this computer's MPI by nxcc --mpi: start it with mpirun"
+                                    : "build it with the mpicc or mpif90 that nxcc --as-mpi DIR makes");
+    }
+}
+
 static void thread_local_variables_are_refused(void **state)
 {
     assert_refused(build_as_nxcc(*state, "__thread int x; int main(void) { return x++; }"), "thread-local");
@@ -339,6 +352,7 @@ int main(void)
         TEST(addresses_have_names_and_lines),
         TEST(what_is_not_a_program_is_refused),
         TEST(programs_of_other_compilers_are_refused),
+        TEST(programs_of_other_mpis_are_refused),
         TEST(thread_local_variables_are_refused),
         TEST(unknown_names_are_named),
         TEST(other_image_versions_are_refused),

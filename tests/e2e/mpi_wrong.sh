@@ -1,0 +1,45 @@
+#!/bin/bash
+# mpi_wrong.sh - wrong calls of MPI on simulated nodes: the error names the call that the program made, node and line; and is returned by
+# its class where errors are returned.
+# without: touchstone-lab app
+. "$(dirname "$0")/common.bash"
+
+"$BUILD/nxcc" --as-mpi bin >links
+check "mpicc compiles" bin/mpicc -O0 -g -Wall -o mpi_wrong "$tests/mpi_wrong.c"
+while IFS='|' read -r how class call error; do
+    run -q -n 2 mpi_wrong "$how"
+    check "$how: the call and the error" said "node [01], at [0-9.]+ [mun]?s: $call: $error"
+    check "$how: the line" said "called from $how.*\(mpi_wrong\.c:[0-9]+\)"
+    run -q -n 2 mpi_wrong "$how" returned
+    check "$how: the class is returned" test "$(head -1 out)" = "$class"
+done <<'END'
+mrecv|invalid request|MPI_Mrecv|the message is null
+call_errhandler|no error|MPI_Comm_call_errhandler|invalid count
+pack_external|invalid argument|MPI_Pack_external|there is the representation external32 only
+win_attach|not for windows of this kind|MPI_Win_attach|the window is not a dynamic one
+vector|invalid count|MPI_Type_vector|the count -1 is negative
+bcast_init|invalid count|MPI_Bcast_init|the count -1 is negative
+send_init|invalid rank|MPI_Send_init|there is no rank 2
+isendrecv_replace|invalid tag|MPI_Isendrecv_replace|tag -1 is out of range
+split_type|invalid communicator|MPI_Comm_split_type|the communicator is null
+dup_with_info|invalid communicator|MPI_Comm_dup_with_info|the communicator is null
+ineighbor|invalid topology|MPI_Ineighbor_alltoall|the communicator has neither a grid
+free_locked|the window may not be used at this time|MPI_Win_free|an epoch of MPI_Win_lock goes on
+fence_locked|the window may not be used at this time|MPI_Win_fence|an epoch of MPI_Win_lock_all goes on
+free_posted|the window may not be used at this time|MPI_Win_free|an epoch of MPI_Win_post goes on
+overlap|invalid communicator|MPI_Intercomm_create|rank [01] is in both groups
+allreduce|invalid buffer|MPI_Allreduce|what is sent and what is received
+iallreduce|invalid buffer|MPI_Iallreduce|what is sent and what is received
+reduce|invalid buffer|MPI_Reduce|what is sent and what is received
+scan|invalid buffer|MPI_Scan|what is sent and what is received
+reduce_scatter|invalid buffer|MPI_Reduce_scatter|what is sent and what is received
+block|invalid buffer|MPI_Reduce_scatter_block|what is sent and what is received
+allgather|invalid buffer|MPI_Allgather|what is sent and what is received
+gather|invalid buffer|MPI_Gather|what is sent and what is received
+scatter|invalid buffer|MPI_Scatter|what is sent and what is received
+alltoall|invalid buffer|MPI_Alltoall|what is sent and what is received
+alltoallv|invalid buffer|MPI_Alltoallv|what is sent and what is received
+END
+run -q -n 4 mpi_wrong fine
+check "what only looks wrong is no error" test "$status:$(cat out)" = "0:no error"
+equal_results "the errors" -n 4 mpi_wrong overlap
