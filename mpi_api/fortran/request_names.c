@@ -26,14 +26,14 @@ struct f_general {
     void (*query)(MPI_Aint *extra, f_int *status, f_int *ierr);
     void (*release)(MPI_Aint *extra, f_int *ierr);
     void (*cancel)(MPI_Aint *extra, f_int *complete, f_int *ierr);
-    MPI_Aint extra;
+    MPI_Aint *extra; /* the program's variable: its functions may change it, as with other MPI libraries */
 };
 
 static int query(void *extra, MPI_Status *status)
 {
     struct f_general *g = extra;
     f_int code = MPI_SUCCESS;
-    g->query(&g->extra, (f_int *)status, &code);
+    g->query(g->extra, (f_int *)status, &code);
     return code;
 }
 
@@ -41,7 +41,7 @@ static int release(void *extra)
 {
     struct f_general *g = extra;
     f_int code = MPI_SUCCESS;
-    g->release(&g->extra, &code);
+    g->release(g->extra, &code);
     free(g);
     return code;
 }
@@ -50,7 +50,7 @@ static int cancel(void *extra, int complete)
 {
     struct f_general *g = extra;
     f_int code = MPI_SUCCESS;
-    g->cancel(&g->extra, &complete, &code);
+    g->cancel(g->extra, &complete, &code);
     return code;
 }
 
@@ -59,7 +59,7 @@ FORTRAN(grequest_start,
          void (*cancel_it)(MPI_Aint *, f_int *, f_int *), MPI_Aint *extra, f_int *request, f_int *ierr))
 {
     struct f_general *g = get_memory(sizeof *g);
-    *g = (struct f_general){query_it, release_it, cancel_it, *extra};
+    *g = (struct f_general){query_it, release_it, cancel_it, extra};
     NEW(MPI_Request, request, MPI_Grequest_start(query, release, cancel, g, &made));
 }
 

@@ -34,7 +34,7 @@
 #include <stdint.h>
 
 #define NXC_IMAGE_MAGIC 0x54534e58u /* "TSNX" */
-#define NXC_IMAGE_VERSION 10u
+#define NXC_IMAGE_VERSION 11u
 #define NXC_UNITS_PER_CLOCK 1000
 #define NXC_NO_LOOKAHEAD (INT64_MAX / 2)
 /* The largest data cache and translation buffer that can be simulated: cache.h. */

@@ -68,7 +68,7 @@ program more
     call MPI_WAIT(request, status, ierr)
     call MPI_GET_COUNT(status, MPI_INTEGER, made(1), ierr)
     call MPI_TEST_CANCELLED(status, flag, ierr)
-    call expect("grequest_start", made(1) == 5 .and. flag .and. request == MPI_REQUEST_NULL)
+    call expect("grequest_start", made(1) == 5 .and. extra == 6 .and. flag .and. request == MPI_REQUEST_NULL)
 
     bytes = 40
     call MPI_ALLOC_MEM(bytes, MPI_INFO_NULL, memory, ierr)
@@ -184,6 +184,7 @@ subroutine release(extra, ierr)
     use mpi
     integer(kind=MPI_ADDRESS_KIND) :: extra
     integer :: ierr
+    extra = extra + 1
     ierr = MPI_SUCCESS
 end subroutine
 
