@@ -1,8 +1,8 @@
-/* counter_flow.h - the way of the counter through a function into which counted bodies have been inlined.
+/* counter_flow.h - the way of the counter through a function with inlined counted bodies.
  *
- * An inlined body loads the counter where it begins and stores it where it ends, and its call's place stores
- * and loads it, too. Most of that has no use: the counter's value is in a register, and nobody looks at memory
- * between. GCC's own passes could not remove it: what they know of functions is from before the counting.
+ * An inlined body loads the counter where it begins and stores it where it ends, and so do the places before
+ * and behind its call. Most of that has no use: the counter's value is in a register, and nobody looks at
+ * memory between. GCC's own passes must not do it: what they know of functions is from before the counting.
  */
 #ifndef NXCC_COUNTER_FLOW_H
 #define NXCC_COUNTER_FLOW_H

@@ -9,11 +9,11 @@
 namespace
 {
 /* The greatest sizes, in GCC's units, of functions called in several places, and in one. */
-const int most = 20, most_once = 100;
+const int most = 20, most_once = 50;
 
 std::map<unsigned, cgraph_node *> kept_bodies; /* counted bodies, by DECL_UID of their functions */
 
-/* --- keeping bodies -------------------------------------------------------------------------------------- */
+/* --- keeping bodies ------------------------------------------------------------------------------------- */
 
 /* Is it no call, and no assembly but that of polls? */
 bool may_stand_twice(gimple *stmt)
@@ -66,7 +66,7 @@ void keep_body(function *fun)
     kept_bodies[DECL_UID(fun->decl)] = body;
 }
 
-/* --- inlining -------------------------------------------------------------------------------------------- */
+/* --- inlining ------------------------------------------------------------------------------------------- */
 
 bool has_same_options(tree a, tree b)
 {
@@ -145,7 +145,7 @@ void drop_bodies()
     }
 }
 
-/* --- the passes ------------------------------------------------------------------------------------------ */
+/* --- the passes ----------------------------------------------------------------------------------------- */
 
 const pass_data inline_data = {
     GIMPLE_PASS, "late_inline", OPTGROUP_INLINE, TV_NONE, PROP_cfg | PROP_ssa, 0, 0, 0, 0,

@@ -53,8 +53,8 @@ struct arguments {
     bool asan = false;
     const char *before = "optimized"; /* GCC's clean-up of the control flow, before expansion */
 
-    /* Are calls of small functions to go, as GCC's options are for host programs? (Profiles and races are told
-     * by function.) */
+    /* Are calls of small functions to go, as GCC's options are for programs of the host? (Profiles and races
+     * name functions.) */
     bool inline_late() const
     {
         return flag_inline_small_functions && !flag_no_inline && !races && !asan && !profile_on &&

@@ -188,7 +188,8 @@ int main(int argc, char **argv)
         "#include <math.h>\n#include <setjmp.h>\n#include <stdio.h>\n#include <string.h>\n\n"
         "static unsigned g[32];\nstatic unsigned budget = 300;\n"
         "__attribute__((noinline)) static unsigned leaf(unsigned x) { return g[x & 15] / 3 + x; }\n"
-        "static unsigned odd;\nstatic unsigned uneven(unsigned x) { if (x & 1) { odd += 3; x /= 7; } return x; }\n"
+        "static unsigned odd;\n"
+        "static unsigned uneven(unsigned x) { if (x & 1) { odd += 3; x /= 7; } return x; }\n"
         "#define TURNS(name) static unsigned name(unsigned n) { unsigned s = 0; "
         "for (unsigned i = 0; i < n; i++)"
         " for (unsigned k = 0; k < 8 && s < 9000000; k++) { s += k != 7 ? g[(i + k) & 15] %% (k + 2) * n : 1;"
@@ -202,11 +203,10 @@ int main(int argc, char **argv)
         one_function();
     printf("static unsigned (*const table[%d])(unsigned, unsigned) = {f0, f1, f2, f3, f4, f5};\n\n",
            FUNCTIONS);
-    printf(
-        "int main(void)\n{\n    unsigned sum = 0;\n    for (unsigned i = 0; i < 20; i++) {\n        "
-        "budget = 300;\n"
-        "        sum = sum * 31 + f5(i & 7, i * 77) + turns_once(i);\n    }\n"
-        "    for (int i = 0; i < 32; i++)\n        sum = sum * 31 + g[i] + odd;\n    printf(\"%%u\\n\", sum);\n "
-        "   return 0;\n}\n");
+    printf("int main(void)\n{\n    unsigned sum = 0;\n    for (unsigned i = 0; i < 20; i++) {\n        "
+           "budget = 300;\n"
+           "        sum = sum * 31 + f5(i & 7, i * 77) + turns_once(i);\n    }\n"
+           "    for (int i = 0; i < 32; i++)\n        sum = sum * 31 + g[i] + odd;\n"
+           "    printf(\"%%u\\n\", sum);\n    return 0;\n}\n");
     return 0;
 }

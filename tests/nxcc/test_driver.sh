@@ -197,12 +197,18 @@ check "or all that GCC inlines" [ "$(inlines all)" = 0 ]
 check "the host makes no such call, where no profile tells of it" [ "$(inlines declared)" = 0 ]
 check "unless the user's options say so, too" [ "$(inlines declared -fno-inline)" = 2 ]
 cat >p.c <<'EOF'
+int printf(const char *, ...);
 static int table[100];
 static int uneven(int x) { if (table[x] > 3) return x / 3; table[x]++; return x; }
-int main(void) { int sum = 0; for (int i = 0; i < 99; i++) sum += uneven(i) + uneven(i + 1); return sum == 0; }
+static int unset(int x) { int a[4]; if (x & 1) a[x & 3] = x; return a[x * 3 & 3]; }
+int main(void) { int sum = 0; for (int i = 0; i < 99; i++) sum += uneven(i) + uneven(i + 1) + unset(i); printf("%d\n", sum); }
 EOF
-late() { [ "$(units)" = "$(units -fno-inline)" ] && "$NXCC" -O2 -S -o p.s p.c && ! grep -q 'call.*uneven' p.s; }
-check "it is counted all the same" late
+all_of() { units "$@" && ./p 2>said; }
+late() { [ "$(all_of)" = "$(all_of -fno-inline)" ] && "$NXCC" -O2 -S -o p.s p.c && ! grep -E 'call.*(uneven|unset)' p.s; }
+check "it counts and computes the same" late
+echo 'void fill(double *); double sum(void) { double a[80]; fill(a); return a[0] + a[79]; }' >clear.c
+clear() { "$NXCC" -O2 -S -o clear.s clear.c && ! grep -q 'rep.*stos' clear.s; }
+check "variables are cleared without rep stos, which begins slowly" clear
 cat >old.c <<'EOF'
 static int first(a, b) int a, b; { return a + b % 2; }
 int one(void) { return first(1) + first(2); }
