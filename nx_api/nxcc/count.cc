@@ -650,6 +650,16 @@ class count_pass : public gimple_opt_pass
 };
 } // namespace
 
+tree count_counter()
+{
+    return counter;
+}
+
+bool count_needs_counter(gimple *stmt)
+{
+    return needs_counter(stmt);
+}
+
 opt_pass *count_make_pass()
 {
     return new count_pass(g);

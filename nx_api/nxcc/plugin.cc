@@ -19,6 +19,7 @@
 #include "costs.h"
 #include "count.h"
 #include "data_names.h"
+#include "late_inline.h"
 #include "long32.h"
 #include "long_abi.h"
 #include "poll.h"
@@ -51,6 +52,14 @@ struct arguments {
     bool races = false;
     bool asan = false;
     const char *before = "optimized"; /* GCC's clean-up of the control flow, before expansion */
+
+    /* Are calls of small functions to go, as GCC's options are for programs of the host? (Profiles and races
+     * name functions.) */
+    bool inline_late() const
+    {
+        return flag_inline_small_functions && !flag_no_inline && !races && !asan && !profile_on &&
+               !count_in_memory;
+    }
 };
 
 arguments read_arguments(const plugin_name_args *info)
@@ -223,6 +232,7 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
         register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &pass);
         return 0;
     }
+    bool late_inline = a.inline_late();
     read_files(a);
     register_pass_info pass = {count_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
     register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &pass);
@@ -234,6 +244,8 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
     register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &tsc);
     register_pass_info unset = {unset_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
     register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &unset);
+    if (late_inline)
+        late_inline_register(info->base_name, a.before);
     register_callback(info->base_name, PLUGIN_REGISTER_GGC_ROOTS, NULL,
                       const_cast<ggc_root_tab *>(symbols_gc_roots()));
     register_callback(info->base_name, PLUGIN_ALL_PASSES_START, begin_function, NULL);

@@ -38,7 +38,7 @@ static void expression(int depth)
     }
     switch (pick(10)) {
     case 9:
-        printf("(leaf(v%d) + ", pick(VARIABLES));
+        printf("(%s(v%d) + ", pick(2) ? "leaf" : "uneven", pick(VARIABLES));
         break;
     case 0:
         printf("(g[v%d & 15] + ", pick(VARIABLES));
@@ -188,10 +188,13 @@ int main(int argc, char **argv)
         "#include <math.h>\n#include <setjmp.h>\n#include <stdio.h>\n#include <string.h>\n\n"
         "static unsigned g[32];\nstatic unsigned budget = 300;\n"
         "__attribute__((noinline)) static unsigned leaf(unsigned x) { return g[x & 15] / 3 + x; }\n"
-        "__attribute__((noinline)) static unsigned turns(unsigned n) { unsigned s = 0; "
+        "static unsigned odd;\n"
+        "static unsigned uneven(unsigned x) { if (x & 1) { odd += 3; x /= 7; } return x; }\n"
+        "#define TURNS(name) static unsigned name(unsigned n) { unsigned s = 0; "
         "for (unsigned i = 0; i < n; i++)"
         " for (unsigned k = 0; k < 8 && s < 9000000; k++) { s += k != 7 ? g[(i + k) & 15] %% (k + 2) * n : 1;"
         " if (k == 7 && s & 64) s /= 3; } return s; }\n"
+        "__attribute__((noinline)) TURNS(turns)\nTURNS(turns_once)\n"
         "void served(void) __attribute__((weak));\n"
         "static void back(jmp_buf place, unsigned really) { if (really) longjmp(place, 1); }\n"
         "static unsigned (*const table[%d])(unsigned, unsigned);\n\n",
@@ -202,8 +205,8 @@ int main(int argc, char **argv)
            FUNCTIONS);
     printf("int main(void)\n{\n    unsigned sum = 0;\n    for (unsigned i = 0; i < 20; i++) {\n        "
            "budget = 300;\n"
-           "        sum = sum * 31 + f5(i & 7, i * 77);\n    }\n"
-           "    for (int i = 0; i < 32; i++)\n        sum = sum * 31 + g[i];\n    printf(\"%%u\\n\", sum);\n "
-           "   return 0;\n}\n");
+           "        sum = sum * 31 + f5(i & 7, i * 77) + turns_once(i);\n    }\n"
+           "    for (int i = 0; i < 32; i++)\n        sum = sum * 31 + g[i] + odd;\n"
+           "    printf(\"%%u\\n\", sum);\n    return 0;\n}\n");
     return 0;
 }

@@ -191,9 +191,30 @@ inlines() { # VALUE OPTIONS... - what is left of the calls of a small function, 
     echo 'static int half(int x) { return x / 3 + 1; } int four(int x) { return half(x) + half(x + 5); }' >inlines.c
     "$NXCC" -O2 "${@:2}" --costs inlines.cfg -S -o inlines.s inlines.c && grep -c 'call.*half' inlines.s
 }
-check "a processor's compilers inline what is declared so, and nothing else" [ "$(inlines declared)" = 2 ]
+check "a processor's compilers inline what is declared so, and nothing else" [ "$(inlines declared --profile)" = 2 ]
 check "unless the user's options say so" [ "$(inlines declared -finline-small-functions -finline-functions)" = 0 ]
 check "or all that GCC inlines" [ "$(inlines all)" = 0 ]
+check "the host makes no such call, where no profile tells of it" [ "$(inlines declared)" = 0 ]
+check "unless the user's options say so, too" [ "$(inlines declared -fno-inline)" = 2 ]
+cat >p.c <<'EOF'
+int printf(const char *, ...);
+static int table[100];
+static int uneven(int x) { if (table[x] > 3) return x / 3; table[x]++; return x; }
+static int unset(int x) { int a[4]; if (x & 1) a[x & 3] = x; return a[x * 3 & 3]; }
+int main(void) { int sum = 0; for (int i = 0; i < 99; i++) sum += uneven(i) + uneven(i + 1) + unset(i); printf("%d\n", sum); }
+EOF
+all_of() { units "$@" && ./p 2>said; }
+late() { [ "$(all_of)" = "$(all_of -fno-inline)" ] && "$NXCC" -O2 -S -o p.s p.c && ! grep -E 'call.*(uneven|unset)' p.s; }
+check "it counts and computes the same" late
+echo 'void fill(double *); double sum(void) { double a[80]; fill(a); return a[0] + a[79]; }' >clear.c
+clear() { "$NXCC" -O2 -S -o clear.s clear.c && ! grep -q 'rep.*stos' clear.s; }
+check "variables are cleared without rep stos, which begins slowly" clear
+cat >old.c <<'EOF'
+static int first(a, b) int a, b; { return a + b % 2; }
+int one(void) { return first(1) + first(2); }
+EOF
+old() { "$NXCC" -std=gnu89 -w -O2 -S -o old.s old.c && grep -q 'call.*first' old.s; }
+check "a call with too few arguments stays one" old
 check "inlines is all or declared" says 'inlines: must be "declared" or "all"' inlines none
 
 price() { # ENTRY TEXT FILE - a price that does not fit the function is an error, with its line
