@@ -175,7 +175,7 @@ check: setup ## The quick test, while you work: unit tests without sanitizers, a
 
 # --- what a user calls ---------------------------------------------------------------------------------------
 tables: setup-tables ## Reproduce the paper's Tables 1-5 into out/: figures, errors, pictures
-	$(SUBMAKE) $(if $(wildcard $B/obj/nx_api/nxcc/race_*.o),,FOLD=yes) $B/app/model tables-simulator
+	$(SUBMAKE) $(if $(wildcard $B/obj/nx_api/nxcc/checks/race_*.o),,FOLD=yes) $B/app/model tables-simulator
 	$(LIGHT)/touchstone tables
 
 # What `make tables` runs, built in a quarter of the time: the programs are compiled as always, but what simulates is optimised less.
@@ -203,14 +203,14 @@ bench: setup ## Measure the simulator's own speed
 
 include doc/man/man.mk doc/manual/manual.mk doc/pictures/pictures.mk share/completion/completion.mk package/package.mk
 
-FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] sim/*/*/*.[ch] nx_api/*/*.[ch] mpi_api/*/*.[ch] app/*.[ch] share/examples/*.c share/examples/exercises/*.c share/examples/exercises/solutions/*.c tests/*.h tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
+FORMATTED = $(filter-out nx_api/include/f%.h,$(wildcard sim/*/*.[ch] sim/*/*/*.[ch] nx_api/*/*.[ch] nx_api/nxcc/*/*.[ch] mpi_api/*/*.[ch] app/*.[ch] share/examples/*.c share/examples/exercises/*.c share/examples/exercises/solutions/*.c tests/*.h tests/*/*.[ch] bench/*/*.[ch] bench/*/*/*.[ch])) # those are Fortran
 
 format: ## Lay out the C files as .clang-format says
 	clang-format -i $(FORMATTED)
 
 check-format: ## Fail if a C file is laid out otherwise, or has lines of more than 110 columns
 	@clang-format --dry-run -Werror $(FORMATTED)
-	@tests/house/columns 110 $(FORMATTED) $(wildcard nx_api/nxcc/*.cc)
+	@tests/house/columns 110 $(FORMATTED) $(PLUGIN_SRC)
 
 clean: ## Remove build/ and out/
 	rm -rf build out

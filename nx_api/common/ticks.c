@@ -1,4 +1,4 @@
-/* ticks.c - what nxcc puts in the place of the instruction rdtsc (nxcc/tsc.cc): the ticks of the node's
+/* ticks.c - what nxcc puts in the place of the instruction rdtsc (nxcc/language/tsc.cc): the ticks of the node's
  * clock. */
 #include "nx.h"
 

@@ -6,7 +6,7 @@
  *     shadow of an address  =  (address - low) / 8  bytes behind `shadow`
  *     0: all 8 bytes are the program's;  1 ... 7: only so many;  enum nxc_asan_shadow: none
  *
- * The plugin (nxcc/race_pass.h) puts before each load and store that may go wrong
+ * The plugin (nxcc/checks/race_pass.h) puts before each load and store that may go wrong
  *
  *     if (address - low < bytes && one of the access's bytes of shadow is not 0)
  *         nxc_race_access(address, &site);
@@ -14,8 +14,8 @@
  * and nxc_race_range() at calls of library functions, as for --races (races.h). NX's calls are looked at by
  * the simulator itself.
  *
- * Around objects lie red zones, which are nobody's: behind each variable of a file (nxcc/asan_globals.h) and
- * each local array or variable whose address is taken (nxcc/asan_locals.h), behind each block of alloca, and
+ * Around objects lie red zones, which are nobody's: behind each variable of a file (nxcc/checks/asan_globals.h) and
+ * each local array or variable whose address is taken (nxcc/checks/asan_locals.h), behind each block of alloca, and
  * on both sides of a block of the heap (sim/asan). */
 #ifndef CONTRACT_ASAN_H
 #define CONTRACT_ASAN_H

@@ -98,7 +98,7 @@ struct nxc_image {
 };
 
 /* Served by the simulator: lets virtual time catch up with the program, and returns with *left set anew.
- * Programs for simulated nodes call it by NXC_CALL_ENTER of nxcc/enter.h, never as a function. */
+ * Programs for simulated nodes call it by NXC_CALL_ENTER of nxcc/runtime/enter.h, never as a function. */
 void nxc_preempt(void);
 /* Served by the simulator: a zeroed path with so many counts. */
 struct nxc_path *nxc_new_path(int64_t counts);

@@ -1,4 +1,4 @@
-/* fortran_calls.c - see fortran_calls.h. The records are those of nxcc/argument_counts.cc, in section
+/* fortran_calls.c - see fortran_calls.h. The records are those of nxcc/language/argument_counts.cc, in section
  * .nxc_calls. */
 #include "nx_api/driver/fortran_calls.h"
 #include <errno.h>

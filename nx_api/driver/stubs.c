@@ -1,5 +1,5 @@
 /* stubs.c - see stubs.h. The names are read from what the linker says, and which of them are variables, from
- * the program (nxcc/data_names.cc). */
+ * the program (nxcc/language/data_names.cc). */
 #include "nx_api/driver/stubs.h"
 #include <errno.h>
 #include <stdio.h>

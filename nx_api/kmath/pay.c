@@ -2,7 +2,7 @@
  * from the program's counter (contract/program_image.h), 1,000 clocks at a time, so that handlers run at
  * their times. */
 #include "../contract/program_image.h"
-#include "../nxcc/enter.h"
+#include "../nxcc/runtime/enter.h"
 #include "kmath.h"
 
 enum { PIECE = 1000 * NXC_UNITS_PER_CLOCK, FEW = 8, MORE = 40, ROOM = 100 };

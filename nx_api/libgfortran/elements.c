@@ -1,5 +1,5 @@
 /* elements.c - the number of an array's elements, for what depends on it in the cost of library calls
- * (nxcc/table.h), and the calls that have nothing but a price. */
+ * (nxcc/base/table.h), and the calls that have nothing but a price. */
 #include "libgfortran.h"
 
 long nx_elements(const struct descriptor *d)

@@ -1,8 +1,8 @@
 /* race_array.c - tells the simulator of the elements of a Fortran array that a library call reads or writes:
- * for programs built with --races (nxcc/race_runtime.h). */
+ * for programs built with --races (nxcc/runtime/race_runtime.h). */
 #include "libgfortran.h"
 #include "../contract/races.h"
-#include "../nxcc/race_runtime.h"
+#include "../nxcc/runtime/race_runtime.h"
 
 /* The address of the element where all indices but the first have the values of a count to `row`. */
 static const char *row_of(const struct descriptor *d, int64_t row)

@@ -10,7 +10,7 @@
 #include "nx_api/mpi/mpi_node.h"
 
 int mpi_long_bytes = 4;
-/* Files compiled with --long32 refer to it (nxcc/long32.cc), so that they are linked with it. */
+/* Files compiled with --long32 refer to it (nxcc/language/long32.cc), so that they are linked with it. */
 __attribute__((visibility("default"))) const char compiled_with_long32_so_link_with_long32;
 
 FILE *nx_output(void)

@@ -30,7 +30,7 @@ bool stack_in_poll(uintptr_t address)
     return address >= (uintptr_t)nxc_enter && address < (uintptr_t)nxc_enter_end;
 }
 
-/* lea 128(%rsp), %rsp; jmp back (nxcc/poll.cc) */
+/* lea 128(%rsp), %rsp; jmp back (nxcc/counting/poll.cc) */
 uintptr_t stack_poll_place(uintptr_t behind)
 {
     static const uint8_t lea[] = {0x48, 0x8d, 0xa4, 0x24, 0x80, 0, 0, 0};

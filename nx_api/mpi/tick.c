@@ -7,7 +7,7 @@
 #include <sys/prctl.h>
 #include <time.h>
 #include "nx_api/mpi/bells.h"
-#include "nx_api/nxcc/enter.h"
+#include "nx_api/nxcc/runtime/enter.h"
 
 enum { OFTEN_NS = 200000, VERY_OFTEN_NS = 30000, SELDOM_NS = 2000000 };
 

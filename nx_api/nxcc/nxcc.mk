@@ -4,14 +4,14 @@
 NODE       := $(NODES)/node
 DRIVER_OBJ := $(patsubst %.c,$B/obj/%.o,$(wildcard nx_api/driver/*.c))
 PLUGIN_INC  = $(shell $(NODE_CC) -print-file-name=plugin 2>/dev/null)/include
-PLUGIN_SRC := $(wildcard nx_api/nxcc/*.cc)
+PLUGIN_SRC := $(wildcard nx_api/nxcc/*.cc nx_api/nxcc/*/*.cc)
 PLUGIN_OBJ := $(PLUGIN_SRC:%.cc=$(NODES)/obj/%.o)
 # Most of a file's time is that of headers and their templates. With FOLD=yes files are compiled together, as two, which takes half the
 # time; but those that have names of their own for what others call the same (start_unit, local). tests/house/check needs all alone.
 # (make tables asks for it where they have not been compiled alone: another plugin would make all node code anew.)
 ifeq ($(FOLD),yes)
-PLUGIN_ALONE  := $(patsubst %,nx_api/nxcc/%.cc,argument_counts data_names long32 long_abi plugin redeclare statics unset)
-PLUGIN_RACES  := $(wildcard nx_api/nxcc/race_*.cc)
+PLUGIN_ALONE  := nx_api/nxcc/plugin.cc nx_api/nxcc/counting/unset.cc $(filter-out %/tsc.cc,$(wildcard nx_api/nxcc/language/*.cc))
+PLUGIN_RACES  := $(wildcard nx_api/nxcc/checks/race_*.cc)
 PLUGIN_COUNTS := $(filter-out $(PLUGIN_ALONE) $(PLUGIN_RACES),$(PLUGIN_SRC))
 PLUGIN_FOLDED := $(addprefix $(NODES)/obj/folded/,races.o counts.o)
 PLUGIN_OBJ    := $(PLUGIN_ALONE:%.cc=$(NODES)/obj/%.o) $(PLUGIN_FOLDED)
@@ -50,13 +50,14 @@ endif
 # GCC's headers are not clean under our own warnings; ours are, so theirs are system headers.
 # They take two thirds of a file's time, so they are read once (gcc.h.gch). A backtrace has lines.
 PLUGIN_GCC  = $(NODE_CXX) -std=gnu++17 -O1 -g1 $(PREFIX_MAP) -fPIC -fno-rtti -Wall -Wextra -Werror -isystem $(PLUGIN_INC) -Inx_api/nxcc -I$(@D) -MMD -MP
-PLUGIN_HDR := $(NODES)/obj/nx_api/nxcc/gcc.h
-$(PLUGIN_HDR).gch: nx_api/nxcc/gcc.h
+PLUGIN_HDR := $(NODES)/obj/nx_api/nxcc/base/gcc.h
+$(PLUGIN_HDR).gch: nx_api/nxcc/base/gcc.h
 	@mkdir -p $(@D)
 	$(call say,CXX,$<)
 	$(PLUGIN_GCC) -x c++-header -o $@ $<
 
 $(filter-out $(PLUGIN_FOLDED),$(PLUGIN_OBJ)): $(NODES)/obj/%.o: %.cc $(PLUGIN_HDR).gch
+	@mkdir -p $(@D)
 	$(call say,CXX,$<)
 	$(PLUGIN_GCC) -include $(PLUGIN_HDR) -c -o $@ $<
 
@@ -70,18 +71,18 @@ $(PLUGIN_FOLDED):
 -include $(PLUGIN_OBJ:.o=.d) $(PLUGIN_HDR).d
 
 # How many arguments the NX calls of Fortran programs have.
-FORTRAN_CALLS := $(NODES)/obj/nx_api/nxcc/fortran_calls.inc
-$(FORTRAN_CALLS): nx_api/nxcc/fortran-calls $(wildcard nx_api/fortran/* nx_api/common/*.def)
+FORTRAN_CALLS := $(NODES)/obj/nx_api/nxcc/language/fortran_calls.inc
+$(FORTRAN_CALLS): nx_api/nxcc/language/fortran-calls $(wildcard nx_api/fortran/* nx_api/common/*.def)
 	@mkdir -p $(@D)
 	$< $(NODE_CC) $(wildcard nx_api/fortran/*.c nx_api/fortran/*.f90) >$@.new && mv $@.new $@
-$(NODES)/obj/nx_api/nxcc/argument_counts.o: $(FORTRAN_CALLS)
+$(NODES)/obj/nx_api/nxcc/language/argument_counts.o: $(FORTRAN_CALLS)
 
 $(NODE)/count.so: $(PLUGIN_OBJ)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)
 	$(NODE_CXX) -shared -o $@ $^ -lconfig
 
-$(NODE)/runtime.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/contract/program_image.h
+$(NODE)/runtime.o: nx_api/nxcc/runtime/runtime.c nx_api/nxcc/runtime/enter.h nx_api/contract/program_image.h
 	@mkdir -p $(@D)
 	$(call say,CC,$<)
 	$(NODE_CC) -std=gnu17 -O2 -g $(PREFIX_MAP) $(WARN) -fPIE -c -o $@ $<
@@ -122,7 +123,7 @@ $(eval $(call NODE_CODE,long32_profile/,--long32 --profile))
 
 # A simulated cache is not counted, nor is the telling of accesses, nor the shadow of memory.
 RUNTIMES := $(patsubst %,$(NODE)/obj/%_runtime.o,cache race asan)
-$(RUNTIMES): $(NODE)/obj/%_runtime.o: nx_api/nxcc/%_runtime.c nx_api/nxcc/enter.h nx_api/contract/program_image.h nx_api/contract/races.h nx_api/contract/asan.h
+$(RUNTIMES): $(NODE)/obj/%_runtime.o: nx_api/nxcc/runtime/%_runtime.c nx_api/nxcc/runtime/enter.h nx_api/contract/program_image.h nx_api/contract/races.h nx_api/contract/asan.h
 	@mkdir -p $(@D)
 	$(call say,CC,$<)
 	$(NODE_CC) -std=gnu17 -O2 -g $(PREFIX_MAP) $(WARN) -fPIE -c -o $@ $<
@@ -147,7 +148,7 @@ $(NODE)/libgfortran.a: $(LIBGFORTRAN)
 	ar d $@.new error.o stop.o backtrace.o async.o
 	ar q $@.new $^ && ranlib $@.new && mv $@.new $@
 
-$(NODE)/runtime_long32.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/contract/program_image.h
+$(NODE)/runtime_long32.o: nx_api/nxcc/runtime/runtime.c nx_api/nxcc/runtime/enter.h nx_api/contract/program_image.h
 	@mkdir -p $(@D)
 	$(call say,CC,$<)
 	$(NODE_CC) -std=gnu17 -O2 -g $(PREFIX_MAP) $(WARN) -fPIE -DNXC_LONG_BYTES=4 -c -o $@ $<

@@ -13,7 +13,7 @@ struct node_libc;
 /* The address of the variable that exports.def names by DATA(name); NULL if there is none. */
 void *node_libc_data(struct node *n, const char *name);
 /* main's third argument: the environment, if the program uses the variable `environ`, as it does when main
- * has three arguments (nx_api/nxcc/data_names.cc); otherwise an empty list. */
+ * has three arguments (nx_api/nxcc/language/data_names.cc); otherwise an empty list. */
 char **node_libc_envp(struct node *n);
 /* On the node's stack: runs the program's atexit functions, latest first, flushes its streams, and fails if
  * its heap is damaged. */

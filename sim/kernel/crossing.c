@@ -119,7 +119,7 @@ _Thread_local uintptr_t crossing_poll_returns;
 _Thread_local uintptr_t crossing_poll_r10;
 
 /* A poll. Nothing has been saved; the program goes on at 0(%rsp), with the stack pointer in 8(%rsp). Both
- * are in its data (nx_api/nxcc/runtime.c) and are cleared, so that its memory does not tell of polls.
+ * are in its data (nx_api/nxcc/runtime/runtime.c) and are cleared, so that its memory does not tell of polls.
  * Saves all but the x87 registers, which the program expects to be changed. */
 __asm__(".text\n"
         ".hidden crossing_poll\n.globl crossing_poll\n.type crossing_poll, @function\n"

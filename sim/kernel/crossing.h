@@ -45,7 +45,7 @@ enum crossing_stacked {
 /* What a function of the system is to a program. */
 enum crossing_kind {
     CROSSING_USUAL, /* a C function: see the two above */
-    CROSSING_POLL,  /* nxc_preempt: saves all registers (nx_api/nxcc/runtime.c) */
+    CROSSING_POLL,  /* nxc_preempt: saves all registers (nx_api/nxcc/runtime/runtime.c) */
     CROSSING_SETJMP /* runs on the program's stack */
 };
 

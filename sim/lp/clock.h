@@ -117,7 +117,7 @@ vtime clock_lookahead(const struct lp *lp);
 uint64_t clock_lookahead_units(const struct lp *lp);
 void clock_set_lookahead(struct lp *lp, uint64_t units);
 /* On entering a call, after clock_stop: does the call come before the end of the lookahead that a poll has
- * given? That is a bug of nxcc's plugin (nx_api/nxcc/lookahead.h). */
+ * given? That is a bug of nxcc's plugin (nx_api/nxcc/counting/lookahead.h). */
 static inline bool clock_lookahead_is_broken(const struct lp *lp)
 {
     return __builtin_expect(lp->segment.lookahead > lp->clock.units, 0);

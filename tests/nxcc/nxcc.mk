@@ -3,7 +3,7 @@ NXCC_TEST := $B/tests/nxcc
 UNIT      += $(NXCC_TEST)/test_count $(NXCC_TEST)/test_profile $(NXCC_TEST)/test_speed $(addprefix $(NXCC_TEST)/test_,driver random lookahead races)
 
 # runtime.o without _start, for programs that are not node programs
-$(NXCC_TEST)/hosted.o: nx_api/nxcc/runtime.c nx_api/nxcc/enter.h nx_api/contract/program_image.h
+$(NXCC_TEST)/hosted.o: nx_api/nxcc/runtime/runtime.c nx_api/nxcc/runtime/enter.h nx_api/contract/program_image.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 $(WARN) -fPIE -DNXC_HOSTED -c -o $@ $<
 

@@ -1,5 +1,5 @@
 #!/bin/bash
-# A call before the end of its program's lookahead (nx_api/nxcc/lookahead.h) ends the run, and the message names node, call,
+# A call before the end of its program's lookahead (nx_api/nxcc/counting/lookahead.h) ends the run, and the message names node, call,
 # function and both numbers of cost units. The programs here are written with a wrong lookahead.
 SOURCES=$PWD/nx_api/nxcc
 cd "$(dirname "$0")" || exit 1

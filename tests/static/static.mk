@@ -1,9 +1,8 @@
 # static.mk - what cppcheck, clang-tidy and gcc -fanalyzer say of each file of sim/, nx_api/ and app/. A file is analysed again when it, a
 # header that it includes, or the rules here have changed. Its reports are build/static/FILE.cppcheck, .tidy and .gcc.
 STATIC   := $B/static
-ANALYSED := $(wildcard sim/*/*.c sim/*/*/*.c nx_api/*/*.c app/*.c)
-PLUGIN   := $(wildcard nx_api/nxcc/*.cc)
-REPORTS  := $(ANALYSED:%=$(STATIC)/%.gcc) $(foreach tool,tidy cppcheck,$(patsubst %,$(STATIC)/%.$(tool),$(ANALYSED) $(PLUGIN)))
+ANALYSED := $(wildcard sim/*/*.c sim/*/*/*.c nx_api/*/*.c nx_api/nxcc/*/*.c app/*.c)
+REPORTS  := $(ANALYSED:%=$(STATIC)/%.gcc) $(foreach tool,tidy cppcheck,$(patsubst %,$(STATIC)/%.$(tool),$(ANALYSED) $(PLUGIN_SRC)))
 
 STATIC_C = -std=gnu17 -O1 -D_GNU_SOURCE -DTOUCHSTONE_VERSION='""' -DNXCC_GCC='""' -Isim -Inx_api/sim/include -Inx_api/include -I.
 STATIC_CXX = -std=gnu++17 -O1 -Inx_api/nxcc -isystem $(PLUGIN_INC)
@@ -30,12 +29,12 @@ $(STATIC)/%.c.cppcheck: %.c tests/static/cppcheck.cfg tests/static/static.mk tes
 	$(call say,CHECK,$<)
 	tests/static/report $< $@ $(CPPCHECK) --std=c11 -D__GNUC__ $(filter -I% -D%,$(STATIC_C)) $<
 
-$(STATIC)/%.cc.tidy: %.cc $(wildcard nx_api/nxcc/*.h) .clang-tidy tests/static/static.mk tests/static/report
+$(STATIC)/%.cc.tidy: %.cc $(wildcard nx_api/nxcc/*/*.h) .clang-tidy tests/static/static.mk tests/static/report
 	@mkdir -p $(@D)
 	$(call say,TIDY,$<)
 	tests/static/report $< $@ clang-tidy -quiet $< -- $(STATIC_CXX) -Wno-everything $(TIDY_LIMIT)
 
-$(STATIC)/%.cc.cppcheck: %.cc $(wildcard nx_api/nxcc/*.h) tests/static/cppcheck.cfg tests/static/static.mk tests/static/report
+$(STATIC)/%.cc.cppcheck: %.cc $(wildcard nx_api/nxcc/*/*.h) tests/static/cppcheck.cfg tests/static/static.mk tests/static/report
 	@mkdir -p $(@D)
 	$(call say,CHECK,$<)
 	tests/static/report $< $@ $(CPPCHECK) --std=c++17 -D__GNUC__ -Inx_api/nxcc $<

@@ -56,7 +56,7 @@ $(COUNTING_OBJ):
 	ld -r -o $@ $^
 	objcopy --wildcard --keep-global-symbol='$(notdir $(@:.o=))_*' $@
 
-$(COUNTING)/runtime.o: nx_api/nxcc/runtime.c nx_api/contract/program_image.h
+$(COUNTING)/runtime.o: nx_api/nxcc/runtime/runtime.c nx_api/contract/program_image.h
 	@mkdir -p $(@D)
 	$(CC) -std=gnu17 -O2 $(WARN) -fPIE -DNXC_HOSTED -c -o $@ $<
 

@@ -1,0 +1,26 @@
+/* texts.cc - see texts.h. */
+#include "base/gcc.h"
+#include "base/texts.h"
+#include "output.h"
+
+int texts::number(const std::string &s)
+{
+    auto found = numbers.find(s);
+    if (found != numbers.end())
+        return found->second;
+    all.push_back(s);
+    return numbers[s] = (int)all.size() - 1;
+}
+
+void texts::write() const
+{
+    for (size_t i = 0; i < all.size(); i++) {
+        fprintf(asm_out_file, ".L%s%zu:\t.string \"", label.c_str(), i);
+        for (char c : all[i]) {
+            if (c == '"' || c == '\\')
+                fputc('\\', asm_out_file);
+            fputc(c, asm_out_file);
+        }
+        fputs("\"\n", asm_out_file);
+    }
+}

@@ -1,0 +1,154 @@
+/* redeclare.cc - declarations of headers that C programs of the time repeat with other types: `int
+ * mynode();`, `extern void msgwait(int);`, `extern long errno;`. Their compilers had int and long of one
+ * size, and often no header.
+ *
+ * GCC refuses a second declaration with another type. So if a program and a system header declare one
+ * function, in either order, and the types differ only in
+ *
+ *     the size and sign of integers, also behind pointers            int for long, int * for long *
+ *     void or an integer as the result                               int gsync();
+ *     void * for any pointer to data; const                          char *malloc();
+ *     parameters that one of the two leaves out                      long csendrecv();
+ *
+ * then the header's type holds, and calls are checked against it. Any other difference stays an error. A
+ * function that the program defines itself is left alone.
+ *
+ * GCC asks the target for the attributes of each declaration just before it compares the declaration with
+ * earlier ones. Only then can the type of a declaration be changed.
+ *
+ * `extern int errno;` without a header names a variable, which the C library has no more: each use of it
+ * becomes the one that the header's macro makes, *__errno_location().
+ */
+#include <set>
+#include <string>
+#include "base/c_frontend.h"
+#include "language/redeclare.h"
+#include "target.h"
+
+namespace
+{
+void (*gcc_insert_attributes)(tree, tree *);
+std::set<std::string> from_header; /* functions that headers have declared */
+tree defined;                      /* the function whose definition has just begun */
+
+bool alike(tree a, tree b);
+
+bool alike_as_results(tree a, tree b)
+{
+    bool plain_a = VOID_TYPE_P(a) || INTEGRAL_TYPE_P(a), plain_b = VOID_TYPE_P(b) || INTEGRAL_TYPE_P(b);
+    return (plain_a && plain_b) || alike(a, b);
+}
+
+bool alike_as_parameters(tree a, tree b)
+{
+    if (!a || !b)
+        return true; /* left out */
+    for (; a && b; a = TREE_CHAIN(a), b = TREE_CHAIN(b))
+        if (!alike(TREE_VALUE(a), TREE_VALUE(b)))
+            return false;
+    return !a && !b;
+}
+
+bool alike_behind_pointers(tree a, tree b)
+{
+    bool function_a = TREE_CODE(a) == FUNCTION_TYPE, function_b = TREE_CODE(b) == FUNCTION_TYPE;
+    if (function_a || function_b)
+        return function_a && function_b && alike(a, b);
+    return VOID_TYPE_P(a) || VOID_TYPE_P(b) || alike(a, b);
+}
+
+bool alike(tree a, tree b)
+{
+    a = TYPE_MAIN_VARIANT(a), b = TYPE_MAIN_VARIANT(b);
+    if (INTEGRAL_TYPE_P(a) && INTEGRAL_TYPE_P(b))
+        return true;
+    if (POINTER_TYPE_P(a) && POINTER_TYPE_P(b))
+        return alike_behind_pointers(TREE_TYPE(a), TREE_TYPE(b));
+    if (TREE_CODE(a) == FUNCTION_TYPE && TREE_CODE(b) == FUNCTION_TYPE)
+        return alike_as_results(TREE_TYPE(a), TREE_TYPE(b)) &&
+               alike_as_parameters(TYPE_ARG_TYPES(a), TYPE_ARG_TYPES(b));
+    return comptypes(a, b) == 1;
+}
+
+/* Is the declaration written in a header? `extern long errno;` is the program's, though a header's macro
+ * expands the name. */
+bool in_header(tree decl)
+{
+    return in_system_header_at(expansion_point_location(DECL_SOURCE_LOCATION(decl)));
+}
+
+/* Has a header declared the function? A declaration's location is that of the last one, which may be the
+ * program's. */
+bool by_header(tree decl)
+{
+    return in_header(decl) || from_header.count(IDENTIFIER_POINTER(DECL_NAME(decl)));
+}
+
+/* Gives the program's declaration the header's type, if one of the two is a header's and the types are
+ * alike. */
+void reconcile(tree old, tree fresh)
+{
+    bool old_holds = by_header(old) && !in_header(fresh);
+    bool fresh_holds = !by_header(old) && in_header(fresh);
+    if ((!old_holds && !fresh_holds) || !alike(TREE_TYPE(old), TREE_TYPE(fresh)))
+        return;
+    tree program = old_holds ? fresh : old;
+    TREE_TYPE(program) = TREE_TYPE(old_holds ? old : fresh);
+    DECL_ARGUMENTS(program) = NULL_TREE;
+}
+
+void scan_function(tree decl)
+{
+    tree old = lookup_name(DECL_NAME(decl));
+    if (old && old != decl && TREE_CODE(old) == FUNCTION_DECL && !DECL_INITIAL(old) &&
+        comptypes(TREE_TYPE(old), TREE_TYPE(decl)) != 1)
+        reconcile(old, decl);
+    if (in_header(decl))
+        from_header.insert(IDENTIFIER_POINTER(DECL_NAME(decl)));
+}
+
+void insert_attributes(tree decl, tree *attributes)
+{
+    if (TREE_CODE(decl) == FUNCTION_DECL && DECL_NAME(decl)) {
+        if (TREE_PUBLIC(decl) && decl != defined)
+            scan_function(decl);
+        defined = NULL_TREE; /* the next declaration may be at the same address */
+    }
+    gcc_insert_attributes(decl, attributes);
+}
+
+/* GCC puts a variable's value expression in the place of each use. */
+void errno_is_the_library_s(void *d, void *)
+{
+    tree decl = static_cast<tree>(d);
+    if (TREE_CODE(decl) != VAR_DECL || !DECL_NAME(decl) || !TREE_PUBLIC(decl) ||
+        !INTEGRAL_TYPE_P(TREE_TYPE(decl)) || strcmp(IDENTIFIER_POINTER(DECL_NAME(decl)), "errno"))
+        return;
+    tree type = build_function_type_list(build_pointer_type(integer_type_node), NULL_TREE);
+    tree function = build_fn_decl("__errno_location", type);
+    DECL_SOURCE_LOCATION(function) = BUILTINS_LOCATION; /* it costs what the header's costs */
+    TREE_TYPE(decl) = integer_type_node;                /* also if the program says long */
+    SET_DECL_VALUE_EXPR(decl, build1(INDIRECT_REF, integer_type_node, build_call_expr(function, 0)));
+    DECL_HAS_VALUE_EXPR_P(decl) = 1;
+}
+
+void begin_definition(void *decl, void *)
+{
+    defined = static_cast<tree>(decl);
+}
+
+void start_unit(void *, void *plugin)
+{
+    if (!lookup_name || !comptypes)
+        return;
+    gcc_insert_attributes = targetm.insert_attributes;
+    targetm.insert_attributes = insert_attributes;
+    register_callback(static_cast<const char *>(plugin), PLUGIN_FINISH_DECL, errno_is_the_library_s, NULL);
+}
+} // namespace
+
+void redeclare_register(const char *plugin)
+{
+    register_callback(plugin, PLUGIN_START_UNIT, start_unit, const_cast<char *>(plugin));
+    register_callback(plugin, PLUGIN_START_PARSE_FUNCTION, begin_definition, NULL);
+}
