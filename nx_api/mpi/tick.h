@@ -1,9 +1,9 @@
 /* tick.h - the clock that makes a computing program take in its messages, if no sender rings for them
  * (bells.h).
  *
- * nxcc --mpi puts a poll into each loop and function (nxcc/counting/poll.cc), which calls nxc_preempt when nxc_due is
- * not 0. A second thread sleeps and sets nxc_due, and does nothing else: it calls no MPI and takes no
- * lock. */
+ * nxcc --mpi puts a poll into each loop and function (nxcc/counting/poll.cc), which calls nxc_preempt when
+ * nxc_due is not 0. A second thread sleeps and sets nxc_due, and does nothing else: it calls no MPI and takes
+ * no lock. */
 #ifndef MPI_TICK_H
 #define MPI_TICK_H
 #include <stdbool.h>
