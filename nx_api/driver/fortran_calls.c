@@ -1,5 +1,5 @@
-/* fortran_calls.c - see fortran_calls.h. The records are those of nxcc/language/argument_counts.cc, in section
- * .nxc_calls. */
+/* fortran_calls.c - see fortran_calls.h. The records are those of nxcc/language/argument_counts.cc,
+ * in section .nxc_calls. */
 #include "nx_api/driver/fortran_calls.h"
 #include <errno.h>
 #include <stdbool.h>

@@ -1,5 +1,5 @@
-/* longs.c - see longs.h. The records are those of nxcc/language/long_abi.cc: lines "BYTES FILE WHAT NAME" in section
- * .nxc_longs. */
+/* longs.c - see longs.h. The records are those of nxcc/language/long_abi.cc: lines "BYTES FILE WHAT NAME"
+ * in section .nxc_longs. */
 #include "nx_api/driver/longs.h"
 #include <stdbool.h>
 #include <stdio.h>
