@@ -1,5 +1,5 @@
-/* ticks.c - what nxcc puts in the place of the instruction rdtsc (nxcc/language/tsc.cc): the ticks of the node's
- * clock. */
+/* ticks.c - what nxcc puts in the place of the instruction rdtsc (nxcc/language/tsc.cc): the ticks of
+ * the node's clock. */
 #include "nx.h"
 
 unsigned long long nxc_read_tsc(void);

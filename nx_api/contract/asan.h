@@ -14,9 +14,10 @@
  * and nxc_race_range() at calls of library functions, as for --races (races.h). NX's calls are looked at by
  * the simulator itself.
  *
- * Around objects lie red zones, which are nobody's: behind each variable of a file (nxcc/checks/asan_globals.h) and
- * each local array or variable whose address is taken (nxcc/checks/asan_locals.h), behind each block of alloca, and
- * on both sides of a block of the heap (sim/asan). */
+ * Around objects lie red zones, which are nobody's: behind each variable of a file
+ * (nxcc/checks/asan_globals.h) and each local array or variable whose address is taken
+ * (nxcc/checks/asan_locals.h), behind each block of alloca, and on both sides of a block of the heap
+ * (sim/asan). */
 #ifndef CONTRACT_ASAN_H
 #define CONTRACT_ASAN_H
 #include <stddef.h>

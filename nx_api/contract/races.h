@@ -1,8 +1,8 @@
 /* races.h - what a program built with nxcc --races tells the simulator of its accesses to memory, so that
  * races between handlers and the code that they interrupt are found.
  *
- * The plugin (nxcc/checks/race_pass.h) puts before each load and store that may concern memory which others can
- * reach:
+ * The plugin (nxcc/checks/race_pass.h) puts before each load and store that may concern memory which others
+ * can reach:
  *
  *     if (nxc_races_on)                         a byte of the program, which the simulator sets
  *         nxc_race_access(address, &site);
