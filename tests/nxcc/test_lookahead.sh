@@ -1,7 +1,7 @@
 #!/bin/bash
 # A call before the end of its program's lookahead (nx_api/nxcc/counting/lookahead.h) ends the run, and the message names node, call,
 # function and both numbers of cost units. The programs here are written with a wrong lookahead.
-SOURCES=$PWD/nx_api/nxcc
+SOURCES=$PWD/nx_api/nxcc/runtime
 cd "$(dirname "$0")" || exit 1
 BIN=$PWD/../..
 DIR=$(mktemp -d)
