@@ -135,6 +135,7 @@ struct node_memory {
 /* What of deferred calls is hardly ever asked for. */
 struct deferred_cold {
     struct message *message[DEFERRED_MOST];
+    vtime sending[DEFERRED_MOST]; /* the time to send it */
     struct node_memory
         memory[DEFERRED_MOST]; /* the program's at the call, if it has changed since the one before */
 };

@@ -13,7 +13,8 @@ void charge_undo(struct node *n, enum node_task task, vtime t);
 /* The program sends or receives until t: a message that comes meanwhile finds it in the kernel. */
 static inline void charge_in_kernel(struct node *n, vtime t)
 {
-    n->in_kernel = t;
+    if (t > n->in_kernel)
+        n->in_kernel = t;
 }
 /* The program has sent so many messages, of so many bytes in all. */
 static inline void charge_sent(struct node *n, uint64_t messages, uint64_t bytes)

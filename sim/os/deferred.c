@@ -101,11 +101,12 @@ static struct message *message_of(const struct node *n, uint32_t i)
     return c->cold ? n->cold->deferred->message[index_of(n, i)] : c->message;
 }
 
-/* When the i-th call has handed over what it has to, as noted. */
+/* When the i-th call, whose caller resumes, has handed over what it has to, as noted. */
 static vtime handed_over(const struct node *n, uint32_t i)
 {
     const struct deferred_call *c = nth(n, i);
-    return c->commits + c->spent + (c->has_message ? match_send_time(n, message_of(n, i)) : 0);
+    assert(!c->has_message || c->cold);
+    return c->commits + c->spent + (c->has_message ? n->cold->deferred->sending[index_of(n, i)] : 0);
 }
 
 void deferred_resume_caller(struct node *n)
@@ -140,7 +141,9 @@ void deferred_spend(struct node *n, vtime t)
 
 static void put_cold(struct node *n, struct message *m)
 {
-    cold_of(n)->message[index_of(n, n->deferred.count - 1)] = m;
+    uint32_t i = index_of(n, n->deferred.count - 1);
+    cold_of(n)->message[i] = m;
+    cold_of(n)->sending[i] = match_send_time(n, m); /* m may be gone when the call is committed */
     last(n)->cold = true;
 }
 
@@ -193,6 +196,7 @@ void deferred_send(struct node *n, struct message *m)
     if (c->sends) {
         node_account(n, NODE_SENDING, sending);
         protocol_send_late(n->sys->schedule.protocol, m, node_now(n), match_send_late(n));
+        charge_in_kernel(n, node_now(n)); /* nothing reaches the node before it is */
     }
     c->has_message = true;
     if (p->posts & only_last(n) || c->selected)
@@ -289,8 +293,8 @@ static void begin(struct node *n, struct deferred_call *c, vtime now)
         ANNOUNCE(n, charges_deferred, 0);
         match_send(n, message_of(n, 0), now + c->spent);
         ANNOUNCE(n, charges_program);
-    } else if (c->has_message || c->receive) {
-        charge_in_kernel(n, handed_over(n, 0) + n->deferred.shift);
+    } else if (c->receive) { /* also if it has selected before, or has sent */
+        charge_in_kernel(n, now + c->spent);
     }
 }
 
