@@ -1,4 +1,4 @@
-/* getopt_long.c - options of several letters, as GNU has them: among other arguments, which come to stand behind. */
+/* getopt_long.c - options of several letters, as GNU has them; other arguments come to stand behind. */
 #include <getopt.h>
 #include <stdio.h>
 #include <string.h>
