@@ -1,4 +1,4 @@
-/* byte_order.c - the network's order of bytes, for programs that have no -O: with it the header has macros. */
+/* byte_order.c - the network's order of bytes, for programs without -O: with it the header has macros. */
 #include <arpa/inet.h>
 
 #undef htonl
