@@ -4,8 +4,8 @@
  * compiles here compiles with an MPI library that keeps to it. What MPI-3 has removed of MPI-1 is at the
  * end. Units: counts are elements of a datatype, extents and displacements bytes, times seconds. All calls
  * return MPI_SUCCESS or an error code, after the communicator's error handler. */
-#ifndef MPI_H
-#define MPI_H
+#ifndef TOUCHSTONE_MPI_H
+#define TOUCHSTONE_MPI_H
 #include <stddef.h> /* as in Open MPI: programs have NULL from here */
 #include <stdint.h>
 

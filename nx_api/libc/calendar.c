@@ -40,3 +40,10 @@ char *ctime(const time_t *t)
 {
     return asctime(gmtime(t));
 }
+
+char *ctime_r(const time_t *t, char *text)
+{
+    long long wide = *t;
+    struct tm own;
+    return asctime_r(gmtime_r((const time_t *)&wide, &own), text);
+}

@@ -1,4 +1,5 @@
 /* mpi_nodes.c - MPI's calls on simulated nodes: each line that rank 0 prints is a check over all ranks. */
+#define MPI_H /* the guard of a header of some program's own (PhyML's) is none of mpi.h's */
 #include <limits.h>
 #include <mpi.h>
 #include <stdio.h>

@@ -4,7 +4,9 @@
  * again: --long32
  * run: all
  */
+#include <arpa/inet.h>
 #include <errno.h>
+#include <getopt.h>
 #include <libgen.h>
 #include <limits.h>
 #include <locale.h>
@@ -31,7 +33,8 @@ static int calendar(void)
     strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S %a %B %j %% %y", &tm);
     return again == t && difftime(t + 60, t) == 60 &&
            !strcmp(text, "1993-03-02 01:00:00 Tue March 061 % 93") &&
-           !strcmp(asctime(&tm), "Tue Mar  2 01:00:00 1993\n") && strlen(ctime(&t)) == 25;
+           !strcmp(asctime(&tm), "Tue Mar  2 01:00:00 1993\n") && strlen(ctime(&t)) == 25 &&
+           !strcmp(ctime_r(&t, text), ctime(&t));
 }
 
 static int epoch(void)
@@ -137,6 +140,73 @@ static int options(void)
     while ((c = getopt(7, arguments, "abn:x:c")) != -1)
         snprintf(seen + strlen(seen), 8, "%c%s ", c, optarg ? optarg : "");
     return !strcmp(seen, "a b n3 x2 ") && optind == 6;
+}
+
+/* What getopt_long or getopt_long_only finds, and the arguments that are left; these come last. */
+static int long_options(__typeof__(getopt_long) *next, const char *letters, char *const *arguments,
+                        const char *expected)
+{
+    static int flag;
+    static const struct option longs[] = {{"size", required_argument, NULL, 's'},
+                                          {"level", optional_argument, NULL, 'l'},
+                                          {"help", no_argument, NULL, 'h'},
+                                          {"single", no_argument, &flag, 7},
+                                          {NULL, 0, NULL, 0}};
+    char *own[12], seen[100] = "";
+    int c, count = 0, index = 0;
+    while ((own[count] = arguments[count]))
+        count++;
+    optind = flag = opterr = 0;
+    while ((c = next(count, own, letters, longs, &index)) != -1)
+        snprintf(seen + strlen(seen), 30, c > 1 ? "%c%s " : "%d%s ", c ? c : flag, optarg ? optarg : "");
+    while (optind < count)
+        snprintf(seen + strlen(seen), 30, "<%s>", own[optind++]);
+    return !strcmp(seen, expected);
+}
+
+#define ARGUMENTS (char *const[])
+static int options_of_several_letters(void)
+{
+    return long_options(getopt_long, "an:v::",
+                        ARGUMENTS{"p", "in", "--size", "3", "--size=4", "-an", "5", "out", "-v", "-v2", NULL},
+                        "s3 s4 a n5 v v2 <in><out>") &&
+           long_options(getopt_long, "a", ARGUMENTS{"p", "x", "--level", "--lev=1", "--", "-a", "y", NULL},
+                        "l l1 <x><-a><y>") &&
+           long_options(getopt_long, "+a", ARGUMENTS{"p", "-a", "x", "-a", NULL}, "a <x><-a>") &&
+           long_options(getopt_long, "-a", ARGUMENTS{"p", "x", "-a", "y", NULL}, "1x a 1y ") &&
+           long_options(getopt_long, "a",
+                        ARGUMENTS{"p", "--si=1", "--single", "--no", "--help=1", "-b", NULL}, "? 7 ? ? ? ") &&
+           long_options(getopt_long, ":n:", ARGUMENTS{"p", "--size", NULL}, ": ") &&
+           long_options(getopt_long, "n:", ARGUMENTS{"p", "-n", NULL}, "? ") &&
+           long_options(getopt_long_only, "sn:", ARGUMENTS{"p", "-size", "1", "-s", "-n2", "-he", NULL},
+                        "s1 s n2 h ");
+}
+
+static int lines(void)
+{
+    FILE *f = tmpfile();
+    char *line = NULL;
+    size_t size = 0;
+    int good = 1;
+    for (int n = 0; n < 300; n += 50)
+        fprintf(f, "%0*d\n", n + 1, n);
+    fprintf(f, "a;b");
+    rewind(f);
+    for (int n = 0; n < 300; n += 50)
+        good = good && getline(&line, &size, f) == n + 2 && line[n + 1] == '\n' && atoi(line) == n &&
+               !line[n + 2];
+    good = good && getdelim(&line, &size, ';', f) == 2 && !strcmp(line, "a;") &&
+           getline(&line, &size, f) == 1 && !strcmp(line, "b") && getline(&line, &size, f) == -1 && feof(f);
+    free(line);
+    fclose(f);
+    return good;
+}
+
+/* The functions; with -O the header has macros. */
+static int order_of_bytes(void)
+{
+    return (htonl)(0x01020304) == 0x04030201 && (ntohl)(0x01020304) == 0x04030201 &&
+           (htons)(0x0102) == 0x0201 && (ntohs)(0x0102) == 0x0201;
 }
 
 static int signs(void)
@@ -249,6 +319,9 @@ int main(void)
     rule("fgetpos, fsetpos, setbuf", places());
     rule("vsscanf", scanning());
     rule("getopt", options());
+    rule("getopt_long", options_of_several_letters());
+    rule("getline", lines());
+    rule("htonl and its kin", order_of_bytes());
     rule("signgam", signs());
     rule("numbers", numbers());
     rule("drand48 and its kin", random_48());

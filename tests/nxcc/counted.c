@@ -30,6 +30,14 @@ double c_sum(const double *x, long n)
     return sum;
 }
 
+int c_bits(unsigned long x)
+{
+    int n = 0;
+    for (; x; n++)
+        x &= x - 1;
+    return n;
+}
+
 double c_divide(double a, double b)
 {
     return a / b;

@@ -8,6 +8,7 @@ int c_nothing(void);
 int c_two_adds(int a, int b, int c);
 void c_add_to(double *y, const double *x);
 double c_sum(const double *x, long n);
+int c_bits(unsigned long x);
 double c_divide(double a, double b);
 int c_multiply(int a, int b);
 int c_divide_by_8(int a);

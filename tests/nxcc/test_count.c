@@ -63,6 +63,16 @@ static void each_round_of_a_loop(void **state)
         assert_int_equal(COST(c_sum(x, n)), ten + (n - 10) * round);
 }
 
+/* GCC knows its trip count as a call: of __builtin_popcount. */
+static void a_loop_over_bits(void **state)
+{
+    int64_t round = 3 * INTEGER + (INTEGER + BRANCH); /* less one, and, step; compare and branch */
+    (void)state;
+    int64_t one = COST(c_bits(1));
+    for (int n = 1; n < 64; n++)
+        assert_int_equal(COST(c_bits(-1UL >> (64 - n))), one + (n - 1) * round);
+}
+
 static void mathematics(void **state)
 {
     (void)state;
@@ -305,6 +315,7 @@ int main(void)
         cmocka_unit_test(inlined_code_is_charged_where_it_runs),
         cmocka_unit_test(a_small_function_costs_its_callers),
         cmocka_unit_test(each_round_of_a_loop),
+        cmocka_unit_test(a_loop_over_bits),
         cmocka_unit_test(mathematics),
         cmocka_unit_test(operations_that_gcc_joins),
         cmocka_unit_test(calls_by_argument_and_result),
