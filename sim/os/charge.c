@@ -60,15 +60,12 @@ vtime node_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vti
     return n->sys_free;
 }
 
-vtime node_interrupted(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
+vtime charge_entry(struct node_system *sys, uint32_t node, vtime at)
 {
-    struct node *n = node_at(ctx, node);
-    if (n->sys->cfg->entry_ps && at > n->sys_free) {
-        lp_synchronise(&n->lp); /* so that n->in_kernel is that of `at` */
-        if (lp_computes(&n->lp) && at > n->in_kernel)
-            t += n->sys->cfg->entry_ps;
-    }
-    return node_work(ctx, node, task, at, t);
+    struct node *n = node_at(sys, node);
+    lp_synchronise(&n->lp);
+    bool enters = lp_computes(&n->lp) && at > n->in_kernel && at > n->sys_free;
+    return enters ? sys->cfg->entry_ps : 0;
 }
 
 void node_move(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)

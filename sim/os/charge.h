@@ -13,14 +13,16 @@ void charge_undo(struct node *n, enum node_task task, vtime t);
 /* The program sends or receives until t: a message that comes meanwhile finds it in the kernel. */
 static inline void charge_in_kernel(struct node *n, vtime t)
 {
-    if (t > n->in_kernel)
-        n->in_kernel = t;
+    n->in_kernel = t;
 }
 /* The program has sent so many messages, of so many bytes in all. */
 static inline void charge_sent(struct node *n, uint64_t messages, uint64_t bytes)
 {
     n->stats.sent += messages, n->stats.sent_bytes += bytes;
 }
+/* What a message that comes takes besides, to enter a kernel below NX: nothing if program or system are in it.
+ * Calls are not deferred on such machines: whether the program is in one is known at each moment. */
+__attribute__((noinline, cold)) vtime charge_entry(struct node_system *sys, uint32_t node, vtime at);
 /* The program begins to wait. The program has waited until t. */
 void charge_wait_begins(struct node *n);
 void charge_wait_ends(struct node *n, vtime t);
@@ -32,7 +34,5 @@ bool charge_adds_up(const struct node *n);
 
 /* --- for net/endpoint.h, with ctx = the node_system --- */
 vtime node_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t);
-/* The same for what the network brings: it enters a kernel below NX, unless program or system are in it. */
-vtime node_interrupted(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t);
 void node_move(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t);
 #endif

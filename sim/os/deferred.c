@@ -196,7 +196,6 @@ void deferred_send(struct node *n, struct message *m)
     if (c->sends) {
         node_account(n, NODE_SENDING, sending);
         protocol_send_late(n->sys->schedule.protocol, m, node_now(n), match_send_late(n));
-        charge_in_kernel(n, node_now(n)); /* nothing reaches the node before it is */
     }
     c->has_message = true;
     if (p->posts & only_last(n) || c->selected)
@@ -269,7 +268,6 @@ static vtime copying(const struct node *n, const struct message *m)
 static void take(struct node *n, const struct deferred_call *c, vtime now)
 {
     if (c->inline_message) {
-        charge_in_kernel(n, now);
         protocol_message_free_plain(n->sys->schedule.protocol, c->consumed);
         return;
     }
@@ -293,8 +291,6 @@ static void begin(struct node *n, struct deferred_call *c, vtime now)
         ANNOUNCE(n, charges_deferred, 0);
         match_send(n, message_of(n, 0), now + c->spent);
         ANNOUNCE(n, charges_program);
-    } else if (c->receive) { /* also if it has selected before, or has sent */
-        charge_in_kernel(n, now + c->spent);
     }
 }
 
