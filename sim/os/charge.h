@@ -20,7 +20,7 @@ static inline void charge_sent(struct node *n, uint64_t messages, uint64_t bytes
 {
     n->stats.sent += messages, n->stats.sent_bytes += bytes;
 }
-/* What a message that comes takes besides, to enter a kernel below NX: nothing if program or system are in it.
+/* What a message that comes takes besides, to enter a kernel below NX: nothing if node or system are in it.
  * Calls are not deferred on such machines: whether the program is in one is known at each moment. */
 __attribute__((noinline, cold)) vtime charge_entry(struct node_system *sys, uint32_t node, vtime at);
 /* The program begins to wait. The program has waited until t. */

@@ -1,5 +1,5 @@
-/* csendrecv goes on at once when the answer has come before it asks; what it sends is received, and gone, long
- * before the node makes another call.
+/* csendrecv goes on at once when the answer has come before it asks; what it sends is received, and gone,
+ * long before the node makes another call.
  * run: -m ipsc860 -n 8
  * run: -m delta -n 3
  * run: -m paragon -n 3
