@@ -140,7 +140,7 @@ static void lock(void)
     memset(memory, 0, (LONG + 4) * sizeof(int));
     MPI_Win_unlock(rank, win);
     MPI_Barrier(MPI_COMM_WORLD);
-    while (rank == 0 && MPI_Wtime() - begin < 0.5)
+    while (rank == 0 && MPI_Wtime() - begin < 1)
         continue;
     for (int i = 0; rank > 0 && i < ROUNDS; i++) {
         MPI_Win_lock(MPI_LOCK_EXCLUSIVE, 0, 0, win); /* read, add and write without the others */
@@ -155,7 +155,7 @@ static void lock(void)
         sum += before;
     }
     if (rank > 0)
-        holds = size == 1 || MPI_Wtime() - begin < 0.5; /* rank 0 has not been waited for */
+        holds = size == 1 || MPI_Wtime() - begin < 1; /* rank 0 has not been waited for */
     MPI_Barrier(MPI_COMM_WORLD);
     int count = ROUNDS * (size - 1);
     MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
