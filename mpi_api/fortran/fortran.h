@@ -68,7 +68,7 @@ static inline MPI_Datatype *f_types(const f_int *list, int count)
     return types;
 }
 
-/* The same of two lists, one behind the other: of those that are sent, and of those that are received. */
+/* The datatypes of two lists, one behind the other: what is sent, and what is received. */
 static inline MPI_Datatype *f_both_types(const f_int *out, int outs, const f_int *in, int ins)
 {
     MPI_Datatype *types = get_memory(((size_t)outs + (size_t)ins) * sizeof *types);

@@ -74,7 +74,7 @@ int coll_check_root(const struct coll *o, int root);
 /* A count and a type of an argument. */
 int coll_check(const struct coll *o, int count, MPI_Datatype t);
 
-/* What is sent may not be what is received, but by MPI_IN_PLACE: an error if they are the same memory. */
+/* The memory sent from may not be the memory received in, but by MPI_IN_PLACE: else an error. */
 int coll_fail_same(const struct args *a);
 static inline int coll_check_apart(const struct args *a)
 {

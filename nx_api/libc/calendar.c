@@ -11,10 +11,15 @@ static struct tm broken_down;
 
 void tzset(void) {}
 
-struct tm *gmtime(const time_t *t)
+static struct tm *break_down(const time_t *t, struct tm *into)
 {
     long long wide = *t; /* long32: the library's time_t has 64 bits */
-    return gmtime_r((const time_t *)&wide, &broken_down);
+    return gmtime_r((const time_t *)&wide, into);
+}
+
+struct tm *gmtime(const time_t *t)
+{
+    return break_down(t, &broken_down);
 }
 
 struct tm *localtime(const time_t *t)
@@ -43,7 +48,6 @@ char *ctime(const time_t *t)
 
 char *ctime_r(const time_t *t, char *text)
 {
-    long long wide = *t;
     struct tm own;
-    return asctime_r(gmtime_r((const time_t *)&wide, &own), text);
+    return asctime_r(break_down(t, &own), text);
 }

@@ -162,8 +162,8 @@ static struct node *load(struct node *n, const struct node_image *img, int argc,
 {
     n->cold->envp = envp;
     if (make_parts(n, img, argc, argv, error)) {
+        n->in_order |= n->sys->cfg->entry_ps != 0; /* for charge_entry */
         /* (Where programs come and go, few messages are worth deferring calls.) */
-        n->in_order |= n->sys->cfg->entry_ps != 0; /* charge_entry */
         n->in_order |= n->is_host || n->asan || n->sys->cube || n->sys->flushes;
         taken_begin(n);
         livelock_begin(n);

@@ -16,10 +16,11 @@ static bool is_service(const struct node_system *sys, uint32_t address)
 vtime endpoint_work(void *ends, uint32_t address, enum protocol_task task, vtime at, vtime t)
 {
     struct node_system *sys = ends;
-    if (__builtin_expect(sys->cfg->entry_ps != 0, 0) && !is_service(sys, address))
+    if (is_service(sys, address))
+        return cfs_work(sys->cfs, address, at, t);
+    if (sys->cfg->entry_ps)
         t += charge_entry(sys, address, at);
-    return is_service(sys, address) ? cfs_work(sys->cfs, address, at, t)
-                                    : node_work(sys, address, task, at, t);
+    return node_work(sys, address, task, at, t);
 }
 
 /* No program runs on a service's processor, so moving bytes is work like any other. */

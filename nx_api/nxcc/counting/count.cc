@@ -136,20 +136,14 @@ bool needs_counter(gimple *stmt)
 /* Finds out whether the function calls others, and whether `left` can be a register. */
 void counting::scan_function()
 {
-    bool in_memory = count_in_memory || fun->calls_setjmp || fun->has_nonlocal_label;
     basic_block bb;
-    FOR_EACH_BB_FN (bb, fun) {
-        edge e;
-        edge_iterator ei;
-        FOR_EACH_EDGE (e, ei, bb->succs)
-            in_memory = in_memory || (e->flags & (EDGE_ABNORMAL | EDGE_EH));
+    FOR_EACH_BB_FN (bb, fun)
         for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi); gsi_next(&gsi))
             if (gcall *call = dyn_cast<gcall *>(gsi_stmt(gsi))) {
                 calls = calls || is_counted_call(call);
                 leaf_charge_note_call(call);
             }
-    }
-    if (!in_memory)
+    if (count_is_in_register(fun))
         left = create_tmp_reg(units_type(), "left");
 }
 
@@ -653,6 +647,21 @@ class count_pass : public gimple_opt_pass
 tree count_counter()
 {
     return counter;
+}
+
+bool count_is_in_register(function *fun)
+{
+    if (count_in_memory || fun->calls_setjmp || fun->has_nonlocal_label)
+        return false;
+    basic_block bb;
+    FOR_EACH_BB_FN (bb, fun) {
+        edge e;
+        edge_iterator ei;
+        FOR_EACH_EDGE (e, ei, bb->succs)
+            if (e->flags & (EDGE_ABNORMAL | EDGE_EH))
+                return false;
+    }
+    return true;
 }
 
 bool count_needs_counter(gimple *stmt)

@@ -103,18 +103,12 @@ cgraph_node *body_of(gimple *stmt)
 /* Is there such a call? Where the counter cannot be in a register, calls stay. */
 bool calls_bodies(function *fun)
 {
-    bool found = false;
     basic_block bb;
-    FOR_EACH_BB_FN (bb, fun) {
-        edge e;
-        edge_iterator ei;
-        FOR_EACH_EDGE (e, ei, bb->succs)
-            if (e->flags & EDGE_COMPLEX)
-                return false;
+    FOR_EACH_BB_FN (bb, fun)
         for (gimple_stmt_iterator i = gsi_start_bb(bb); !gsi_end_p(i); gsi_next(&i))
-            found = found || body_of(gsi_stmt(i));
-    }
-    return found && !fun->calls_setjmp && !fun->has_nonlocal_label;
+            if (body_of(gsi_stmt(i)))
+                return count_is_in_register(fun);
+    return false;
 }
 
 unsigned inline_bodies(function *fun)
