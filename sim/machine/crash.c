@@ -62,10 +62,22 @@ static bool tells_no_address(const struct node_crash *c)
     return (c->signal == SIGSEGV || c->signal == SIGBUS) && c->code == SI_KERNEL;
 }
 
+/* Did an instruction fault that addresses memory by %fs? Then the register is wrong, whatever it holds by now:
+ * some kernels set it right when they give the processor to another thread and back. An instruction at whose
+ * own bytes the fault lies cannot be read. */
+static bool faults_by_fs(int signal, const siginfo_t *info, const greg_t *r)
+{
+    enum { FS_PREFIX = 0x64, LONGEST = 15 };
+    const uint8_t *instruction = (const uint8_t *)r[REG_RIP];
+    return signal == SIGSEGV && info->si_code != SI_KERNEL &&
+           (uintptr_t)info->si_addr - (uintptr_t)instruction >= LONGEST && *instruction == FS_PREFIX;
+}
+
 static void note_crash(struct node_crash *c, struct node *n, int signal, const siginfo_t *info,
                        const greg_t *r)
 {
     c->signal = signal, c->code = info->si_code;
+    c->lost_thread |= faults_by_fs(signal, info, r);
     c->address = signal == SIGSYS      ? (uintptr_t)info->si_syscall
                  : tells_no_address(c) ? no_address(r)
                                        : (uintptr_t)info->si_addr;

@@ -134,6 +134,8 @@ check "a crash in another: in which call" said '^  in strlen'
 run -q -n 2 stopped register
 check "a register that the library needs" said '^touchstone run: node 1 crashed at .* changed the register fs'
 check "a register that the library needs: where" said 'called from main.*stopped.c:'
+run -q -n 2 stopped "given back"
+check "a register that the kernel has set right since" said '^touchstone run: node 1 crashed at .* changed the register fs'
 run -n 2 stopped stream
 check "a stream overwritten: the run's figures" said '^digest'
 check "a stream overwritten: why it ends" said '^touchstone: a fault outside of all programs'
