@@ -62,9 +62,9 @@ static bool tells_no_address(const struct node_crash *c)
     return (c->signal == SIGSEGV || c->signal == SIGBUS) && c->code == SI_KERNEL;
 }
 
-/* Did an instruction fault that addresses memory by %fs? Then the register is wrong, whatever it holds by now:
- * some kernels set it right when they give the processor to another thread and back. An instruction at whose
- * own bytes the fault lies cannot be read. */
+/* Did an instruction fault that addresses memory by %fs? Then the register is wrong, whatever it holds by
+ * now: some kernels set it right when they give the processor to another thread and back. An instruction at
+ * whose own bytes the fault lies cannot be read. */
 static bool faults_by_fs(int signal, const siginfo_t *info, const greg_t *r)
 {
     enum { FS_PREFIX = 0x64, LONGEST = 15 };
