@@ -127,6 +127,18 @@ COLLECTIVE(Allgatherv, Iallgatherv, allgatherv,
 /* Short ones: Bruck's; of middle length: all at once; long ones: one partner after the other. */
 enum { SHORT_ALLTOALL = 256, LONG_ALLTOALL = 32768, FEW_RANKS = 8 };
 
+/* Brief ones without a call. */
+static void copy_part(char *to, const char *from, size_t bytes)
+{
+    enum { WORD = 4, BRIEF = 32 };
+    if (bytes > BRIEF || bytes % WORD) {
+        memcpy(to, from, bytes);
+        return;
+    }
+    for (size_t i = 0; i < bytes; i += WORD)
+        memcpy(to + i, from + i, WORD);
+}
+
 /* The parts whose numbers have the bit, in runs of so many, are gathered, or put back: how many bytes. */
 static size_t move_marked(char *parts, char *gathered, size_t each, int size, int bit, bool back)
 {
@@ -134,7 +146,7 @@ static size_t move_marked(char *parts, char *gathered, size_t each, int size, in
     for (int first = bit; first < size; first += 2 * bit) {
         char *run = parts + each * (size_t)first;
         size_t bytes = each * (size_t)(bit < size - first ? bit : size - first);
-        memcpy(back ? run : gathered + moved, back ? gathered + moved : run, bytes);
+        copy_part(back ? run : gathered + moved, back ? gathered + moved : run, bytes);
         moved += bytes;
     }
     return moved;
@@ -156,6 +168,20 @@ static int alltoall_bruck(const struct coll *o, char *parts, size_t each)
     return code;
 }
 
+/* Part i is from the rank i before. */
+static void unpack_parts(const struct coll *o, const char *parts, size_t each, void *into, int room,
+                         MPI_Datatype as)
+{
+    size_t all;
+    char *together = type_together(into, room * o->size, as, &all);
+    for (int i = 0, from = o->rank; i < o->size; i++, from = from ? from - 1 : o->size - 1) {
+        if (together)
+            copy_part(together + each * (size_t)from, parts + each * (size_t)i, each);
+        else
+            type_unpack(parts + each * (size_t)i, each, element(into, (MPI_Aint)from * room, as), room, as);
+    }
+}
+
 static int alltoall_short(const struct coll *o, const void *buf, int count, MPI_Datatype t, void *into,
                           int room, MPI_Datatype as)
 {
@@ -165,9 +191,8 @@ static int alltoall_short(const struct coll *o, const void *buf, int count, MPI_
     type_pack(element(buf, (MPI_Aint)rank * count, t), behind * count, t, parts);
     type_pack(buf, rank * count, t, parts + each * (size_t)behind);
     int code = alltoall_bruck(o, parts, each);
-    for (int i = 0; i < size && !code; i++)
-        type_unpack(parts + each * (size_t)i, each,
-                    element(into, (MPI_Aint)((rank - i + size) % size) * room, as), room, as);
+    if (!code)
+        unpack_parts(o, parts, each, into, room, as);
     free(parts);
     return code;
 }
