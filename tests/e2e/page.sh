@@ -63,7 +63,7 @@ check "a page of a large trace is written" ended_with 0
 for activity in computing handler system call waiting; do
     key=ACTIVITY_${activity^^}
     check "$activity has one colour in pictures and on pages" grep -q -- \
-        "--$activity: #$(grep -oP "\[$key\] = 0x\K[0-9a-f]+" "$tests/../../sim/lab/show/palette.c");" "$tests/../../sim/lab/page/web/page.css"
+        "--$activity: #$(grep -oP "\[$key\] = 0x\K[0-9a-f]+" "$tests/../../sim/lab/draw/palette.c");" "$tests/../../sim/lab/page/web/page.css"
 done
 for tone in $(sed -n '/ORDER\[\]/,/;/p' "$tests/../../sim/lab/render/colours.c" | grep -oP '0x\K[0-9a-f]{6}'); do
     check "surfaces are #$tone in pictures and on pages" grep -q "'#$tone'" "$tests/../../sim/lab/page/web/surface_section.js"

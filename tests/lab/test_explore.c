@@ -16,7 +16,7 @@
 #include "lab/explore/divergence.h"
 #include "lab/explore/flips.h"
 #include "lab/explore/guarantee.h"
-#include "lab/explore/line_changes.h"
+#include "lab/jobs/line_changes.h"
 #include "lab/explore/race_flips.h"
 #include "lab/explore/run_verdict.h"
 

@@ -11,16 +11,16 @@
 #include <unistd.h>
 
 #include "made_trace.h"
-#include "lab/show/axes.h"
+#include "lab/draw/axes.h"
 #include "lab/show/channel_use.h"
 #include "lab/show/displays.h"
-#include "lab/show/heat.h"
+#include "lab/draw/heat.h"
 #include "lab/show/message_lengths.h"
 #include "lab/show/message_queues.h"
 #include "lab/show/message_sample.h"
-#include "lab/show/palette.h"
-#include "lab/show/picture_file.h"
-#include "lab/show/state_times.h"
+#include "lab/draw/palette.h"
+#include "lab/draw/picture_file.h"
+#include "lab/draw/state_times.h"
 
 static void drop(struct trace *t)
 {

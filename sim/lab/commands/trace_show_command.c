@@ -11,7 +11,7 @@
 #include "kernel/xalloc.h"
 #include "lab/show/channel_film.h"
 #include "lab/show/displays.h"
-#include "lab/show/picture_file.h"
+#include "lab/draw/picture_file.h"
 
 enum { BY = CLI_KEY, MESSAGES, SCALE, FRAMES, SVG, THAN };
 enum { DEFAULT_FRAMES = 60, MOST_FRAMES = 1000, MOST_LINES = 1000000 };

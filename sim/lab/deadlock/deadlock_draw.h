@@ -2,7 +2,7 @@
  * wait that any of several nodes could end is dashed, nodes that do not wait are grey. */
 #ifndef LAB_DEADLOCK_DEADLOCK_DRAW_H
 #define LAB_DEADLOCK_DEADLOCK_DRAW_H
-#include "lab/show/picture_file.h"
+#include "lab/draw/picture_file.h"
 #include "nx_api/waitfor/waitfor.h"
 
 /* Of an analysed w. False with *error, malloc'd, which names the file. kind: PNG or SVG. */

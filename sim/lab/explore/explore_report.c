@@ -7,7 +7,7 @@
 #include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 #include "lab/explore/guarantee.h"
-#include "lab/explore/line_changes.h"
+#include "lab/jobs/line_changes.h"
 #include "lab/explore/words_of.h"
 
 enum { MOST_LINES = 8, MOST_DELAYS = 10 };

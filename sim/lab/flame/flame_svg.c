@@ -76,7 +76,7 @@ static double shade(const char *name)
 
 static void write_colour(const struct svg *s, const struct flame_frame *f)
 {
-    /* As in pictures of traces (lab/show/palette.c) computing is blue, calls are yellow, other system time
+    /* As in pictures of traces (lab/draw/palette.c) computing is blue, calls are yellow, other system time
      * is red, waiting grey; all lighter, since text stands on them. */
     static const struct {
         int hue, saturation, light, span;

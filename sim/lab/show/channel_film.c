@@ -8,7 +8,7 @@
 #include <webp/mux.h>
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
-#include "lab/show/axes.h"
+#include "lab/draw/axes.h"
 #include "lab/show/channel_shapes.h"
 
 enum { FRAME_MS = 125, STRIP = 70 };

@@ -1,7 +1,7 @@
 /* channel_film.h - the use of channels as a film: an animated WebP, each picture an interval of time. */
 #ifndef LAB_SHOW_CHANNEL_FILM_H
 #define LAB_SHOW_CHANNEL_FILM_H
-#include "lab/show/picture_head.h"
+#include "lab/draw/picture_head.h"
 
 /* Writes s->frames pictures of equal intervals, and calls tell(ctx, done, of) after each. False with *error,
  * malloc'd. */

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "kernel/xalloc.h"
-#include "lab/show/axes.h"
+#include "lab/draw/axes.h"
 
 /* The scale ends no earlier: a network that is hardly used looks like that. */
 static const double LEAST_END = 0.1;

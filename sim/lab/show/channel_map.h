@@ -3,8 +3,8 @@
 #ifndef LAB_SHOW_CHANNEL_MAP_H
 #define LAB_SHOW_CHANNEL_MAP_H
 #include "lab/show/channel_use.h"
-#include "lab/show/picture_head.h"
-#include "lab/show/heat.h"
+#include "lab/draw/picture_head.h"
+#include "lab/draw/heat.h"
 
 struct channel_map {
     const struct show *show;

@@ -1,7 +1,7 @@
 /* channel_use.h - the times for which each channel was held in each bin of time, and where routers lie. */
 #ifndef LAB_SHOW_CHANNEL_USE_H
 #define LAB_SHOW_CHANNEL_USE_H
-#include "lab/show/time_bins.h"
+#include "lab/draw/time_bins.h"
 #include "lab/trace/trace_model.h"
 
 struct channel_use {

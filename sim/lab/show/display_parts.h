@@ -2,7 +2,7 @@
  * on the number of rows. */
 #ifndef LAB_SHOW_DISPLAY_PARTS_H
 #define LAB_SHOW_DISPLAY_PARTS_H
-#include "lab/show/picture_head.h"
+#include "lab/draw/picture_head.h"
 
 double utilisation_height(const struct show *s);
 void utilisation_draw(const struct show *s, const struct canvas *c);

@@ -2,7 +2,7 @@
  * (Heath & Etheridge, Visualizing the Performance of Parallel Programs, IEEE Software 8(5), 1991). */
 #ifndef LAB_SHOW_DISPLAYS_H
 #define LAB_SHOW_DISPLAYS_H
-#include "lab/show/picture_head.h"
+#include "lab/draw/picture_head.h"
 
 struct display {
     const char *name;                       /* "gantt" */

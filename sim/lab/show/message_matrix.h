@@ -1,7 +1,7 @@
 /* message_matrix.h - the messages and bytes that each row of nodes sent to each. */
 #ifndef LAB_SHOW_MESSAGE_MATRIX_H
 #define LAB_SHOW_MESSAGE_MATRIX_H
-#include "lab/show/node_rows.h"
+#include "lab/draw/node_rows.h"
 
 struct message_matrix {
     int32_t size; /* rows; one more than the nodes have if `others` */

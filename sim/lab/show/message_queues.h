@@ -2,8 +2,8 @@
  * complete and waiting until its program takes them. */
 #ifndef LAB_SHOW_MESSAGE_QUEUES_H
 #define LAB_SHOW_MESSAGE_QUEUES_H
-#include "lab/show/node_rows.h"
-#include "lab/show/time_bins.h"
+#include "lab/draw/node_rows.h"
+#include "lab/draw/time_bins.h"
 
 enum queue_kind {
     QUEUE_WAITING, /* complete, not taken */

@@ -1,7 +1,7 @@
 /* message_sample.h - the sample of messages for a picture that has no room for all. */
 #ifndef LAB_SHOW_MESSAGE_SAMPLE_H
 #define LAB_SHOW_MESSAGE_SAMPLE_H
-#include "lab/show/node_rows.h"
+#include "lab/draw/node_rows.h"
 
 struct message_sample {
     int32_t *list; /* indexes into trace.messages, ascending */

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "kernel/xalloc.h"
-#include "lab/show/axes.h"
+#include "lab/draw/axes.h"
 #include "lab/show/display_parts.h"
 #include "lab/show/message_lengths.h"
 

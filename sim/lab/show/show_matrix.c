@@ -2,9 +2,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include "kernel/xalloc.h"
-#include "lab/show/axes.h"
+#include "lab/draw/axes.h"
 #include "lab/show/display_parts.h"
-#include "lab/show/heat.h"
+#include "lab/draw/heat.h"
 #include "lab/show/message_matrix.h"
 
 enum { FAR_APART = 50 }; /* a given scale up to more is logarithmic */

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include "kernel/xalloc.h"
-#include "lab/show/axes.h"
+#include "lab/draw/axes.h"
 #include "lab/show/display_parts.h"
-#include "lab/show/heat.h"
+#include "lab/draw/heat.h"
 #include "lab/show/message_queues.h"
 
 enum { ABOVE = 130, BETWEEN = 26, RIGHT = 120, SVG_COLUMNS = 240 };

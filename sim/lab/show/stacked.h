@@ -3,9 +3,9 @@
  * column of the picture has its share of the column, exactly. */
 #ifndef LAB_SHOW_STACKED_H
 #define LAB_SHOW_STACKED_H
-#include "lab/show/axes.h"
-#include "lab/show/picture_head.h"
-#include "lab/show/palette.h"
+#include "lab/draw/axes.h"
+#include "lab/draw/picture_head.h"
+#include "lab/draw/palette.h"
 
 /* The times of rows in as many bins as the picture has columns of pixels. */
 struct state_times stacked_times(const struct trace *t, const struct node_rows *r, double width);

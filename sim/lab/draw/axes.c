@@ -1,5 +1,5 @@
 /* axes.c - see axes.h. */
-#include "lab/show/axes.h"
+#include "lab/draw/axes.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>

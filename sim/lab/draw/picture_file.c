@@ -1,5 +1,5 @@
 /* picture_file.c - see picture_file.h. */
-#include "lab/show/picture_file.h"
+#include "lab/draw/picture_file.h"
 #include <cairo/cairo-svg.h>
 #include <errno.h>
 #include <math.h>

@@ -1,10 +1,10 @@
 /* palette.h - the colours. Activities: after Tol's high-contrast scheme (Colour Schemes,
  * SRON/EPS/TN/09-002), told apart by colour-blind eyes and, by their lightness, in grey print. Amounts:
  * ColorBrewer's YlGnBu, the darker the more, in levels, so that neighbours of one level are one shape. */
-#ifndef LAB_SHOW_PALETTE_H
-#define LAB_SHOW_PALETTE_H
-#include "lab/show/canvas.h"
-#include "lab/show/state_times.h"
+#ifndef LAB_DRAW_PALETTE_H
+#define LAB_DRAW_PALETTE_H
+#include "lab/draw/canvas.h"
+#include "lab/draw/state_times.h"
 
 struct colour palette_activity(enum activity a);
 

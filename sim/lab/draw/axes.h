@@ -1,9 +1,9 @@
 /* axes.h - axes with their units, titles and legends. */
-#ifndef LAB_SHOW_AXES_H
-#define LAB_SHOW_AXES_H
+#ifndef LAB_DRAW_AXES_H
+#define LAB_DRAW_AXES_H
 #include <stddef.h>
-#include "lab/show/canvas.h"
-#include "lab/show/node_rows.h"
+#include "lab/draw/canvas.h"
+#include "lab/draw/node_rows.h"
 
 /* The step between ticks so that at most `most` of them divide the range: 1, 2 or 5 times a power of ten. */
 double axis_step(double range, int most);

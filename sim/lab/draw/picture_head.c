@@ -1,10 +1,10 @@
 /* picture_head.c - see picture_head.h. */
-#include "lab/show/picture_head.h"
+#include "lab/draw/picture_head.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
-#include "lab/show/axes.h"
+#include "lab/draw/axes.h"
 
 /* The program, on which machine, with how many nodes, when. malloc'd. */
 static char *subject(const struct show *s)

@@ -1,5 +1,5 @@
 /* node_rows.c - see node_rows.h. */
-#include "lab/show/node_rows.h"
+#include "lab/draw/node_rows.h"
 #include <stdlib.h>
 #include "kernel/xalloc.h"
 

@@ -1,5 +1,5 @@
 /* time_bins.c - see time_bins.h. */
-#include "lab/show/time_bins.h"
+#include "lab/draw/time_bins.h"
 
 struct time_bins time_bins_make(vtime from, vtime to, uint32_t most)
 {

@@ -1,9 +1,9 @@
 /* heat.c - see heat.h. */
-#include "lab/show/heat.h"
+#include "lab/draw/heat.h"
 #include <math.h>
 #include <stdlib.h>
 #include "kernel/xalloc.h"
-#include "lab/show/axes.h"
+#include "lab/draw/axes.h"
 
 enum { FAR_APART = 50 }; /* times as much: then the scale is logarithmic */
 

@@ -1,5 +1,5 @@
 /* state_times.c - see state_times.h. */
-#include "lab/show/state_times.h"
+#include "lab/draw/state_times.h"
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"

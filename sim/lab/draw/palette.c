@@ -1,5 +1,5 @@
 /* palette.c - see palette.h. */
-#include "lab/show/palette.h"
+#include "lab/draw/palette.h"
 
 struct colour palette_activity(enum activity a)
 {

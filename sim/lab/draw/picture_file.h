@@ -1,7 +1,7 @@
 /* picture_file.h - writes a picture as a PNG or SVG file, which appears complete or not at all. */
-#ifndef LAB_SHOW_PICTURE_FILE_H
-#define LAB_SHOW_PICTURE_FILE_H
-#include "lab/show/canvas.h"
+#ifndef LAB_DRAW_PICTURE_FILE_H
+#define LAB_DRAW_PICTURE_FILE_H
+#include "lab/draw/canvas.h"
 
 enum picture_kind { PICTURE_UNKNOWN, PICTURE_PNG, PICTURE_SVG, PICTURE_WEBP };
 /* By the end of the name: .png, .svg, .webp. */

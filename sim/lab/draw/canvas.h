@@ -1,7 +1,7 @@
 /* canvas.h - what pictures are drawn on, by libcairo: an SVG, or pixels, two a point each way. Lengths are
  * points: a picture is CANVAS_WIDTH of them wide. */
-#ifndef LAB_SHOW_CANVAS_H
-#define LAB_SHOW_CANVAS_H
+#ifndef LAB_DRAW_CANVAS_H
+#define LAB_DRAW_CANVAS_H
 #include <cairo/cairo.h>
 #include <stdbool.h>
 

@@ -1,7 +1,7 @@
 /* node_rows.h - the rows of a picture: a node each, or, of many nodes, a class each: neighbouring numbers,
  * a power of two of them. The host is a row of its own. */
-#ifndef LAB_SHOW_NODE_ROWS_H
-#define LAB_SHOW_NODE_ROWS_H
+#ifndef LAB_DRAW_NODE_ROWS_H
+#define LAB_DRAW_NODE_ROWS_H
 #include "lab/trace/trace_model.h"
 
 enum {

@@ -1,8 +1,8 @@
 /* time_bins.h - an interval of virtual time, divided into bins of one width (to the picosecond). What
  * lasts adds to each bin the part of its time that lies in the bin: the sums are exact, however short it
  * is. */
-#ifndef LAB_SHOW_TIME_BINS_H
-#define LAB_SHOW_TIME_BINS_H
+#ifndef LAB_DRAW_TIME_BINS_H
+#define LAB_DRAW_TIME_BINS_H
 #include <stddef.h>
 #include <stdint.h>
 #include "kernel/vtime.h"

@@ -1,9 +1,9 @@
 /* heat.h - amounts as colours: cells of a grid, with the bar that says which colour is how much. */
-#ifndef LAB_SHOW_HEAT_H
-#define LAB_SHOW_HEAT_H
+#ifndef LAB_DRAW_HEAT_H
+#define LAB_DRAW_HEAT_H
 #include <stdint.h>
-#include "lab/show/canvas.h"
-#include "lab/show/palette.h"
+#include "lab/draw/canvas.h"
+#include "lab/draw/palette.h"
 
 enum { HEAT_NONE = -1 }; /* the level of 0: nothing is drawn */
 

@@ -1,5 +1,5 @@
 /* canvas.c - see canvas.h. */
-#include "lab/show/canvas.h"
+#include "lab/draw/canvas.h"
 #include <fontconfig/fontconfig.h>
 #include <math.h>
 

@@ -1,8 +1,8 @@
 /* picture_head.h - what a display is asked to draw, and the head that all its pictures have. */
-#ifndef LAB_SHOW_PICTURE_HEAD_H
-#define LAB_SHOW_PICTURE_HEAD_H
-#include "lab/show/canvas.h"
-#include "lab/show/node_rows.h"
+#ifndef LAB_DRAW_PICTURE_HEAD_H
+#define LAB_DRAW_PICTURE_HEAD_H
+#include "lab/draw/canvas.h"
+#include "lab/draw/node_rows.h"
 
 /* What to draw, and how. */
 struct show {

@@ -1,5 +1,5 @@
 /* line_changes.c - see line_changes.h. */
-#include "lab/explore/line_changes.h"
+#include "lab/jobs/line_changes.h"
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"

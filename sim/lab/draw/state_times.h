@@ -1,10 +1,10 @@
 /* state_times.h - the times of each row's nodes in each activity, in each bin of time. The
  * utilisation count (one row of all nodes), the Gantt chart and Kiviat's diagram (one bin) are drawn from
  * it. */
-#ifndef LAB_SHOW_STATE_TIMES_H
-#define LAB_SHOW_STATE_TIMES_H
-#include "lab/show/node_rows.h"
-#include "lab/show/time_bins.h"
+#ifndef LAB_DRAW_STATE_TIMES_H
+#define LAB_DRAW_STATE_TIMES_H
+#include "lab/draw/node_rows.h"
+#include "lab/draw/time_bins.h"
 
 /* In the order in which pictures stack them. */
 enum activity {
