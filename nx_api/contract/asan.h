@@ -8,7 +8,7 @@
  *
  * The plugin (nxcc/checks/race_pass.h) puts before each load and store that may go wrong
  *
- *     if (address - low < bytes && one of the access's bytes of shadow is not 0)
+ *     if (address - low >= bytes || one of the access's bytes of shadow is not 0)
  *         nxc_race_access(address, &site);
  *
  * and nxc_race_range() at calls of library functions, as for --races (races.h). NX's calls are looked at by
@@ -32,7 +32,8 @@ enum nxc_asan_shadow {
         0xf5, /* variables of a function that has returned, unless the stack is in use there */
     NXC_ASAN_GLOBAL = 0xf9,
     NXC_ASAN_HEAP = 0xfa,
-    NXC_ASAN_FREED = 0xfd
+    NXC_ASAN_FREED = 0xfd,
+    NXC_ASAN_OTHERS = 0xfe /* other nodes' memory */
 };
 
 /* How far behind the beginning of a local variable, or a block of alloca, its red zone begins: at the first
@@ -60,7 +61,7 @@ struct nxc_asan_global {
 };
 
 /* Of the program: struct nxc_races.asan; NULL: no file of it was built with --asan. The simulator sets the
- * first three; until then bytes is 0. */
+ * first three; until then bytes is 0, and the simulator is told of each access, and ignores it. */
 struct nxc_asan {
     uintptr_t *low, *bytes;
     uint8_t **shadow;

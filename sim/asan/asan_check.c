@@ -2,8 +2,10 @@
 #include "asan/asan_check.h"
 #include <stdlib.h>
 #include <sys/mman.h>
+#include <unistd.h>
 #include "asan/node_asan.h"
 #include "guest/own_memory.h"
+#include "guest/span.h"
 #include "kernel/crossing.h"
 #include "kernel/xalloc.h"
 #include "node/self.h"
@@ -11,48 +13,22 @@
 #include "nx_api/contract/races.h"
 #include "os/asan_hooks.h"
 
-/* The shadow of a region, which its nodes share: each has its own part. */
-struct shared {
-    struct asan_shadow shadow;
-    struct shared *next;
-};
-
 struct asan {
-    struct shared *regions;
+    int others; /* asan_shadow_others; -1: not made, since no program needs it */
 };
 
 struct asan *asan_new(void)
 {
-    return xcalloc(1, sizeof(struct asan));
+    struct asan *a = xcalloc(1, sizeof *a);
+    a->others = -1;
+    return a;
 }
 
 void asan_free(struct asan *a)
 {
-    if (!a)
-        return;
-    for (struct shared *s = a->regions, *next; s; s = next) {
-        next = s->next;
-        asan_shadow_end(&s->shadow);
-        free(s);
-    }
+    if (a && a->others >= 0)
+        close(a->others);
     free(a);
-}
-
-static struct asan_shadow *shadow_of(struct asan *a, const struct node_region *r)
-{
-    struct shared *s = a->regions;
-    while (s && s->shadow.low != (uintptr_t)r)
-        s = s->next;
-    if (s)
-        return &s->shadow;
-    s = xcalloc(1, sizeof *s);
-    if (!asan_shadow_begin(&s->shadow, (uintptr_t)r, NODE_REGION)) {
-        free(s);
-        return NULL;
-    }
-    s->next = a->regions;
-    a->regions = s;
-    return &s->shadow;
 }
 
 /* --- variables of files --- */
@@ -91,6 +67,7 @@ static void mark_globals(const struct asan_shadow *s, const struct nxc_asan *ima
 
 static void free_parts(struct node_asan *a)
 {
+    asan_shadow_end(&a->shadow);
     if (a->blocks)
         node_heap_free(a->blocks);
     if (a->counted)
@@ -136,19 +113,25 @@ static void start(const struct node *n, const struct asan_shadow *s)
     *image->bytes = s->bytes;
 }
 
+static bool make_shadow(struct asan *all, struct asan_shadow *s, const struct node *n)
+{
+    const struct node_region *r = n->region;
+    if (all->others < 0)
+        all->others = asan_shadow_others();
+    return all->others >= 0 && asan_shadow_begin(s, (uintptr_t)r, NODE_REGION, all->others) &&
+           asan_shadow_own(s, (uintptr_t)n->span, (size_t)1 << r->shift) &&
+           asan_shadow_own(s, (uintptr_t)n->heap_start, r->heap_bytes);
+}
+
 struct node_asan *asan_begin(struct asan *all, struct node *n)
 {
-    const struct asan_shadow *s = shadow_of(all, n->region);
-    if (!s)
-        return NULL;
     struct node_asan *a = xcalloc(1, sizeof *a);
-    a->shadow = *s;
-    if (!make_parts(a, n)) {
+    if (!make_shadow(all, &a->shadow, n) || !make_parts(a, n)) {
         free_parts(a);
         return NULL;
     }
-    mark_globals(s, n->image->races->asan);
-    start(n, s);
+    mark_globals(&a->shadow, n->image->races->asan);
+    start(n, &a->shadow);
     return a;
 }
 
@@ -159,9 +142,6 @@ void *asan_heap_base(const struct node_asan *a)
 
 void asan_end(struct node *n)
 {
-    const struct node_region *r = n->region;
-    asan_shadow_forget(&n->asan->shadow, (uintptr_t)n->span, (size_t)1 << r->shift);
-    asan_shadow_forget(&n->asan->shadow, (uintptr_t)n->heap_start, r->heap_bytes);
     free_parts(n->asan);
 }
 
@@ -196,11 +176,20 @@ static bool is_in_use_again(const struct node *n, const struct asan_access *a)
     return !is_on_stack(n, pointer) || !is_on_stack(n, a->bad) || a->bad >= pointer;
 }
 
+/* Outside of the node's region, and where other regions are? */
+static bool is_far_node(const struct asan_shadow *s, uintptr_t at)
+{
+    const struct span_range *r = &SPAN_RANGES[SPAN_USUAL];
+    return at - s->low >= s->bytes && at - r->from < r->to - r->from;
+}
+
 static void check(struct node *n, struct asan_access *a)
 {
     const struct asan_shadow *s = &n->asan->shadow;
     while ((a->bad = asan_shadow_first(s, a->at, a->bytes)) && is_in_use_again(n, a))
         asan_shadow_open_alike(s, a->bad);
+    if (is_far_node(s, a->at))
+        a->bad = a->at;
     if (a->bad)
         asan_report(n, a);
 }

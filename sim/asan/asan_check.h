@@ -7,7 +7,7 @@
 struct asan;
 struct node_asan;
 
-/* The shadow of a machine's nodes. */
+/* What the shadows of a machine's nodes share. */
 struct asan *asan_new(void);
 void asan_free(struct asan *a);
 /* Makes the checker of a node whose program has been mapped, for node.asan. NULL: this computer has no

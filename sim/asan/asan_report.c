@@ -7,6 +7,7 @@
 #include "guest/image.h"
 #include "kernel/xalloc.h"
 #include "node/self.h"
+#include "node/system.h"
 #include "nx_api/contract/program_image.h"
 #include "nx_api/contract/races.h"
 #include "os/fail.h"
@@ -120,6 +121,7 @@ static struct object object_of(const struct node *n, uintptr_t at, uint8_t why)
     return why == NXC_ASAN_LOCAL      ? of_local(n, at)
            : why == NXC_ASAN_GLOBAL   ? of_global(n, at)
            : why == NXC_ASAN_RETURNED ? (struct object){.bytes = SIZE_MAX}
+           : why == NXC_ASAN_OTHERS   ? (struct object){.bytes = SIZE_MAX}
                                       : of_block(n, at);
 }
 
@@ -136,6 +138,8 @@ static const char *kind_of(uint8_t why)
         return "global-buffer-overflow";
     case NXC_ASAN_FREED:
         return "heap-use-after-free";
+    case NXC_ASAN_OTHERS:
+        return "memory-of-another-node";
     default:
         return "heap-buffer-overflow";
     }
@@ -161,9 +165,16 @@ static void print_object_name(FILE *f, const struct object *o)
 }
 
 /* Where the first bad byte is. */
-static void print_position(FILE *f, const struct asan_access *a, uint8_t why, const struct object *o)
+static void print_position(FILE *f, const struct node *n, const struct asan_access *a, uint8_t why,
+                           const struct object *o)
 {
     uintptr_t end = o->begin + o->bytes;
+    if (why == NXC_ASAN_OTHERS) {
+        const struct node *owner = node_owner(n->sys, a->bad);
+        fprintf(f, "at 0x%zx, which %s%s", (size_t)a->bad, owner ? "belongs to " : "no node has now",
+                owner ? owner->cold->name : "");
+        return;
+    }
     if (why == NXC_ASAN_RETURNED) {
         fputs("where a function that has returned had its variables", f);
         return;
@@ -212,6 +223,8 @@ static void print_advice(FILE *f, const struct asan_access *a, uint8_t why, cons
         fputs("free the block after its last use, or let no pointer to it live on", f);
     else if (why == NXC_ASAN_RETURNED)
         fputs("let no pointer to a function's variables live on after its return", f);
+    else if (why == NXC_ASAN_OTHERS)
+        fputs("send what a pointer points to: on another node an address means nothing", f);
     else if (!a->site)
         fprintf(f, "give %s a buffer of at least %s, or a smaller length", buffer_of(a),
                 bytes_text(a->bytes).text);
@@ -239,7 +252,7 @@ _Noreturn void asan_report(struct node *n, const struct asan_access *a)
     struct object o = object_of(n, a->bad, why);
     FILE *f = xchecked(open_memstream(&text, &size));
     fprintf(f, "%s: %s of %s, ", kind_of(why), a->write ? "write" : "read", bytes_text(a->bytes).text);
-    print_position(f, a, why, &o);
+    print_position(f, n, a, why, &o);
     print_accessor(f, a);
     print_access(f, n, a);
     if (why == NXC_ASAN_HEAP || why == NXC_ASAN_FREED)

@@ -3,22 +3,45 @@
 #include <assert.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <unistd.h>
 #include "nx_api/contract/asan.h"
 
 enum {
     GRAIN = NXC_ASAN_GRAIN,
     BEHIND = 8, /* a program looks at up to so many bytes of shadow at once */
     PAGE = 4096,
+    OTHERS = 16 << 20, /* of the file of others' shadow: a region takes it eight times */
 };
 
-bool asan_shadow_begin(struct asan_shadow *s, uintptr_t low, size_t bytes)
+int asan_shadow_others(void)
+{
+    int fd = memfd_create("shadow", MFD_CLOEXEC);
+    if (fd < 0)
+        return -1;
+    void *all = ftruncate(fd, OTHERS) ? MAP_FAILED : mmap(NULL, OTHERS, PROT_WRITE, MAP_SHARED, fd, 0);
+    if (all == MAP_FAILED) {
+        close(fd);
+        return -1;
+    }
+    memset(all, NXC_ASAN_OTHERS, OTHERS);
+    munmap(all, OTHERS);
+    return fd;
+}
+
+bool asan_shadow_begin(struct asan_shadow *s, uintptr_t low, size_t bytes, int others)
 {
     assert(low % GRAIN == 0 && bytes % GRAIN == 0);
-    void *of = mmap(NULL, bytes / GRAIN + BEHIND, PROT_READ | PROT_WRITE,
-                    MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    void *of =
+        mmap(NULL, bytes / GRAIN + BEHIND, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (of == MAP_FAILED)
         return false;
     *s = (struct asan_shadow){low, bytes, of};
+    for (size_t at = 0, all = bytes / GRAIN; at < all; at += OTHERS)
+        if (mmap(s->of + at, all - at < OTHERS ? all - at : OTHERS, PROT_READ, MAP_SHARED | MAP_FIXED, others,
+                 0) == MAP_FAILED) {
+            asan_shadow_end(s);
+            return false;
+        }
     return true;
 }
 
@@ -33,6 +56,14 @@ static uint8_t *of(const struct asan_shadow *s, uintptr_t at)
 {
     assert(at - s->low < s->bytes);
     return &s->of[(at - s->low) / GRAIN];
+}
+
+bool asan_shadow_own(const struct asan_shadow *s, uintptr_t at, size_t bytes)
+{
+    uint8_t *from = (uint8_t *)((uintptr_t)of(s, at) / PAGE * PAGE);
+    size_t all = (size_t)(of(s, at + bytes - 1) + 1 - from);
+    return mmap(from, all, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED,
+                -1, 0) != MAP_FAILED;
 }
 
 void asan_shadow_mark(const struct asan_shadow *s, uintptr_t at, size_t bytes, uint8_t why)
@@ -97,6 +128,8 @@ uintptr_t asan_shadow_first(const struct asan_shadow *s, uintptr_t at, size_t by
 
 uint8_t asan_shadow_why(const struct asan_shadow *s, uintptr_t at)
 {
+    if (at - s->low >= s->bytes)
+        return NXC_ASAN_OTHERS;
     uint8_t known = *of(s, at);
     return known < GRAIN && at + GRAIN - s->low < s->bytes ? *of(s, at + GRAIN) : known;
 }

@@ -6,16 +6,20 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* A stretch of addresses with their shadow, all of which may be accessed at first. */
+/* A stretch of addresses with their shadow. */
 struct asan_shadow {
     uintptr_t low;
     size_t bytes;
     uint8_t *of;
 };
 
-/* Makes a shadow, which takes no memory until memory is marked. False: this computer has no address space
- * left. */
-bool asan_shadow_begin(struct asan_shadow *s, uintptr_t low, size_t bytes);
+/* A file of shadow for memory that is others', which all shadows map; to be closed. -1: none can be made. */
+int asan_shadow_others(void);
+/* Makes a shadow, by which all memory is others'. False: this computer has no address space left. */
+bool asan_shadow_begin(struct asan_shadow *s, uintptr_t low, size_t bytes, int others);
+/* These bytes are the program's own: they may be accessed, and marked from now on, which takes memory. So may
+ * neighbours, up to 32 KB on each side, since the shadow is made by pages. */
+bool asan_shadow_own(const struct asan_shadow *s, uintptr_t at, size_t bytes);
 void asan_shadow_end(struct asan_shadow *s);
 
 /* Nobody may access these bytes, for a reason of enum nxc_asan_shadow. Of a last grain only the first bytes
@@ -29,6 +33,6 @@ void asan_shadow_open_alike(const struct asan_shadow *s, uintptr_t at);
 void asan_shadow_forget(const struct asan_shadow *s, uintptr_t at, size_t bytes);
 /* The first of these bytes that may not be accessed; 0: there is none. Bytes outside may be accessed. */
 uintptr_t asan_shadow_first(const struct asan_shadow *s, uintptr_t at, size_t bytes);
-/* Why a byte may not be accessed. */
+/* Why a byte may not be accessed; of one outside: it is others'. */
 uint8_t asan_shadow_why(const struct asan_shadow *s, uintptr_t at);
 #endif

@@ -233,28 +233,19 @@ static const char *fault_text(const struct node_crash *g)
     }
 }
 
-/* The node in whose memory an address lies; NULL if there is none. */
-static const struct node *owner_of(const struct node_system *s, uintptr_t address)
-{
-    for (uint32_t i = 0; i < s->count; i++)
-        if (node_owns(s->nodes[i], address))
-            return s->nodes[i];
-    return NULL;
-}
-
 /* The address of which a program that keeps addresses in ints has kept the lower half, so that it used
  * `used`; 0: that is no node's. */
 static uintptr_t cut_address(const struct node *n, uintptr_t used)
 {
     uintptr_t half = UINT32_MAX, whole = ((uintptr_t)n->span & ~half) | (used & half);
-    return whole != used && owner_of(n->sys, whole) ? whole : 0;
+    return whole != used && node_owner(n->sys, whole) ? whole : 0;
 }
 
 static void print_cut(FILE *f, const struct node *n, uintptr_t whole)
 {
     fprintf(
         f, "\n  an address kept in an int? 0x%zx is in the memory of %s; an int holds addresses below 2 GB: ",
-        (size_t)whole, owner_of(n->sys, whole)->cold->name);
+        (size_t)whole, node_owner(n->sys, whole)->cold->name);
     fprintf(f, "%s",
             node_image_is_long32(n->file)
                 ? "run it on fewer nodes, or on nodes with less memory (--set node.memory_mb=N)"
@@ -272,7 +263,7 @@ static void print_cause(FILE *f, const struct node *n)
     const struct node_crash *g = n->cold->crash;
     uintptr_t stack = (uintptr_t)n->stack;
     bool memory = (g->signal == SIGSEGV || g->signal == SIGBUS) && !g->lost_thread && !tells_no_address(g);
-    const struct node *owner = memory ? owner_of(n->sys, g->address) : NULL;
+    const struct node *owner = memory ? node_owner(n->sys, g->address) : NULL;
     uintptr_t whole = memory ? cut_address(n, g->address) : 0;
     fprintf(f, "%s (%s)", fault_text(g), strsignal(g->signal));
     if (g->signal == SIGSYS)

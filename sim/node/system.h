@@ -109,6 +109,15 @@ static inline uint32_t node_number(const struct node_system *sys, uint32_t addre
     return sys->host && address == sys->host->lp.address ? sys->count : address;
 }
 
+/* The node in whose memory an address lies; NULL: it is in no node's. Asks all: for reports. */
+static inline const struct node *node_owner(const struct node_system *sys, uintptr_t address)
+{
+    for (uint32_t i = 0; i < sys->count; i++)
+        if (node_owns(sys->nodes[i], address))
+            return sys->nodes[i];
+    return NULL;
+}
+
 /* Its number in the run's timing. */
 static inline uint32_t node_timed(const struct node *n)
 {

@@ -95,7 +95,7 @@ static_assert(NXC_ASAN_ZONE == 4 * NXC_ASAN_GRAIN, "one instruction sets the sha
 
 gasm *asan_code_access(tree object, int shift, unsigned bytes, size_t site)
 {
-    return build(take_address((size_t)shift) + "\tmovq\t%0, %1\n" + find_shadow("%1", "772f") + "\t" +
+    return build(take_address((size_t)shift) + "\tmovq\t%0, %1\n" + find_shadow("%1", "771f") + "\t" +
                      comparison(bytes) +
                      "\t$0, (%1)\n"
                      "\tjne\t771f\n"
