@@ -30,26 +30,30 @@ static int bruck(const struct coll *o, char *parts, size_t each)
 
 int coll_allgather_bytes(const struct coll *o, const void *own, size_t bytes, void *all)
 {
-    int size = o->size, rank = o->rank;
-    char *parts = get_memory(bytes * (size_t)size);
+    size_t before = bytes * (size_t)o->rank, behind = bytes * (size_t)(o->size - o->rank);
+    char *parts = get_memory(before + behind);
     memcpy(parts, own, bytes);
     int code = bruck(o, parts, bytes);
-    for (int i = 0; i < size && !code; i++)
-        memcpy((char *)all + bytes * (size_t)((rank + i) % size), parts + bytes * (size_t)i, bytes);
+    if (!code) {
+        memcpy((char *)all + before, parts, behind);
+        memcpy(all, parts + behind, before);
+    }
     free(parts);
     return code;
 }
 
 static int allgather_short(const struct coll *o, void *into, int room, MPI_Datatype as)
 {
-    int size = o->size, rank = o->rank;
-    size_t each = (size_t)room * size_of(as);
-    char *parts = get_memory(each * (size_t)size);
-    type_pack(element(into, (MPI_Aint)rank * room, as), room, as, parts);
-    int code = bruck(o, parts, each);
-    for (int i = 1; i < size && !code; i++)
-        type_unpack(parts + each * (size_t)i, each, element(into, (MPI_Aint)((rank + i) % size) * room, as),
-                    room, as);
+    int before = o->rank * room, behind = (o->size - o->rank) * room;
+    size_t each = size_of(as);
+    void *own = element(into, before, as);
+    char *parts = get_memory(each * (size_t)(before + behind));
+    type_pack(own, room, as, parts);
+    int code = bruck(o, parts, each * (size_t)room);
+    if (!code) {
+        type_unpack(parts, each * (size_t)behind, own, behind, as);
+        type_unpack(parts + each * (size_t)behind, each * (size_t)before, into, before, as);
+    }
     free(parts);
     return code;
 }

@@ -99,8 +99,7 @@ static const struct argp_option OPTIONS[] = {
     {"engine", CLI_TEXT(arguments, engine), "fast|reference", 0,
      "The engine; 'reference', slow, defines what is right; default $TOUCHSTONE_ENGINE, or fast", 0},
     {"isolate", CLI_FLAG(arguments, isolate), NULL, 0,
-     "Stop a program that writes into another node's memory, and say where; slow, one thread: better nxcc --asan",
-     0},
+     "Stop a program that writes into another node's memory, and say where; slow: see nxcc --asan", 0},
     {"slice", SLICE, "S", 0, "Return from computing programs at least every S virtual seconds; for tests", 0},
     {"shuffle", SHUFFLE, "SEED", 0, "Let the threads take tasks in a random order; for tests", 0},
     {0}};
