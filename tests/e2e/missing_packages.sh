@@ -28,8 +28,8 @@ check "and setup fails" ended_with 1
 # `make tables` needs less, and builds without the rest.
 new_computer sh "$root/package/setup" "$root/packages.txt" tables
 check "setup names what tables need" said '^  apt-get install --no-install-recommends .* gnuplot-nox .* nettle-dev'
-check "without gfortran, OTF2, cairo, three.js and Boost's headers" eval \
-    '! grep -qE "gfortran|open-trace|cairo|libjs|libboost[^ ]*-dev" <(grep apt-get err)'
+check "without gfortran, OTF2, cairo, d3 and Boost's headers" eval \
+    '! grep -qE "gfortran|open-trace|cairo|d3|libboost[^ ]*-dev" <(grep apt-get err)'
 light() { make -n -C "$root" B="$work/new" NODES="$work/new" NODE_FC=absent LTO= "$@" >made 2>err; }
 light ONLY=tables "$work"/new/{touchstone,touchstone-lab}
 check "touchstone-lab for tables is linked" grep -q -- '-o .*/new/touchstone-lab ' made

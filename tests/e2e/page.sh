@@ -74,6 +74,10 @@ page - run.json
 check "- is standard output" grep -q '^<!doctype html>' out
 check "the name that is markup stands nowhere as such" bash -c '! grep -q "<img\|<script>document" all.html'
 check "the licences of the libraries are in it" grep -q 'three.js authors' all.html
+three=$tests/../../sim/lab/page/three
+release=$(sed -n 's/^VERSION=0\.\([0-9]*\).*/\1/p' "$three/make-three")
+check "three.js is as make-three made it" test "$(sha256sum <"$three/three.js")" = "$(sed -n 's/^BUNDLE=\([0-9a-f]*\) .*/\1/p' "$three/make-three")  -"
+check "and of the release that pages name" eval '[ "$release" ] && grep -q "three.js r$release " all.html && grep -q "\"$release\"" "$three/three.js"'
 page again.html "$name" paper study run.json run.trace profile.json stacks
 check "it is the same twice" cmp all.html again.html
 page part.html --from 1ms --to 2ms --nodes 0-3 run.trace

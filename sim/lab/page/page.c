@@ -129,7 +129,6 @@ static void write_policy(const struct page *p, FILE *out)
     write_scripts_hash(p, out);
     write_file_hash(web_d3(), out);
     write_file_hash(web_three(), out);
-    write_file_hash(web_orbit(), out);
     if (p->live)
         fputs("; connect-src 'self'", out);
 }
@@ -197,10 +196,8 @@ static void write_data(const struct page *p, FILE *out)
     for (size_t i = 0; i < p->count; i++)
         surfaces |= p->items[i].kind == PAGE_SURFACE;
     write_library("d3", web_d3(), out);
-    if (surfaces) {
+    if (surfaces)
         write_library("three", web_three(), out);
-        write_library("orbit", web_orbit(), out);
-    }
     for (size_t i = 0; i < p->count; i++)
         write_item(&p->items[i], out);
 }

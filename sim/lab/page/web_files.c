@@ -23,8 +23,7 @@ WEB_FILE(style, "sim/lab/page/web/page.css");
 WEB_FILE(licences, "sim/lab/page/web/licences.txt");
 WEB_FILE(live, "sim/lab/page/web/live.js");
 WEB_FILE(d3, "/usr/share/nodejs/d3/dist/d3.min.js");
-WEB_FILE(three, "/usr/share/javascript/three/three.min.js");
-WEB_FILE(orbit, "/usr/share/javascript/three/examples/js/controls/OrbitControls.js");
+WEB_FILE(three, "sim/lab/page/three/three.js");
 
 /* In this order: a script uses only those above it. */
 #define SCRIPTS(X)                                                                                           \

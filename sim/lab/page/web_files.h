@@ -1,4 +1,4 @@
-/* web_files.h - the files of web/ and the libraries of Debian that pages consist of, as they were when
+/* web_files.h - the files of web/ and the libraries that pages consist of, as they were when
  * touchstone was built. */
 #ifndef LAB_PAGE_WEB_FILES_H
 #define LAB_PAGE_WEB_FILES_H
@@ -14,8 +14,7 @@ struct web_file web_style(void); /* web/page.css */
 struct web_file web_licences(void); /* of the libraries, for the page's comment */
 struct web_file web_live(void);     /* web/live.js: runs behind the page's own scripts on live pages */
 struct web_file web_d3(void);       /* scales, axes, zoom: node-d3 */
-struct web_file web_three(void);    /* WebGL: libjs-three */
-struct web_file web_orbit(void);    /* its controls for mouse and touch */
+struct web_file web_three(void);    /* WebGL, with controls for mouse and touch: three/make-three */
 
 /* The page's own scripts, in the order in which they run. The last one has no bytes. */
 extern const struct web_script {

@@ -58,7 +58,6 @@ async function startPage() {
 
 async function showSurfaces(surfaces) {
     await runLibrary('three');
-    await runLibrary('orbit');
     const section = surfaceSection(surfaces);
     for (const s of surfaces)
         s.card.querySelector('a').href = '#' + section.id;

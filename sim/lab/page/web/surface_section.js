@@ -127,7 +127,9 @@ class SurfaceView {
     constructor(canvas, surfaces) {
         this.canvas = canvas;
         canvas.view = this; /* for whoever drives the page */
+        THREE.ColorManagement.enabled = false; /* light adds up in the colours of the screen */
         this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: true});
+        this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
         this.scene = new THREE.Scene();
         this.camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
         this.camera.up.set(0, 0, 1); /* as in touchstone render */
@@ -141,7 +143,6 @@ class SurfaceView {
         this.scene.add(...this.meshes, ...this.veils);
         this.addLights();
         this.controls = new THREE.OrbitControls(this.camera, canvas);
-        this.controls.enableKeys = false;
         this.controls.addEventListener('change', () => this.draw(true));
         canvas.addEventListener('keydown', e => this.key(e));
         matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.draw());
@@ -165,9 +166,10 @@ class SurfaceView {
         });
         return new THREE.Mesh(geometry, material);
     }
+    /* By a matt surface that faces it, a light of intensity 1 is seen as 1 / PI. */
     addLights() {
-        this.scene.add(new THREE.HemisphereLight(0xffffff, 0x667080, 0.55), this.camera);
-        const lamp = new THREE.DirectionalLight(0xffffff, 0.65);
+        this.scene.add(new THREE.HemisphereLight(0xffffff, 0x667080, 0.55 * Math.PI), this.camera);
+        const lamp = new THREE.DirectionalLight(0xffffff, 0.65 * Math.PI);
         lamp.position.set(-0.6, 0.9, 1);
         this.camera.add(lamp);
     }
@@ -264,7 +266,7 @@ class SurfaceView {
         spot.theta += right;
         spot.phi = Math.min(Math.PI - 0.02, Math.max(0.02, spot.phi + down));
         this.camera.position.setFromSpherical(spot)
-            .applyQuaternion(this.upright.clone().inverse())
+            .applyQuaternion(this.upright.clone().invert())
             .add(this.controls.target);
         this.controls.update();
         this.draw(true);
@@ -319,8 +321,8 @@ class SurfaceView {
     }
     colourBy(what) {
         this.meshes.forEach((m, i) => {
-            const byNode = what === 'node' && m.geometry.attributes.color;
-            m.material.vertexColors = byNode ? THREE.VertexColors : THREE.NoColors;
+            const byNode = what === 'node' && Boolean(m.geometry.attributes.color);
+            m.material.vertexColors = byNode;
             m.material.color.set(byNode ? 0xffffff : SURFACE_TONES[i % SURFACE_TONES.length]);
             m.material.needsUpdate = true;
         });
