@@ -191,3 +191,18 @@ void record_free(struct record_points *points)
 {
     json_decref(points->header);
 }
+
+char *record_no_axis(const json_t *axes, const char *name)
+{
+    char *said = xasprintf("there is no axis %s; there are: ", name);
+    const char *axis, *comma = "";
+    json_t *values;
+    json_object_foreach((json_t *)axes, axis, values)
+    {
+        char *longer = xasprintf("%s%s%s", said, comma, axis);
+        free(said);
+        said = longer;
+        comma = ", ";
+    }
+    return said;
+}
