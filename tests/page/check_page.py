@@ -311,6 +311,11 @@ def check_keyboard(b):
     marks = b.run("""return ['header', 'nav', 'main', 'footer'].every(t => document.querySelectorAll(`body > ${t}`).length === 1) &&
         [...document.querySelectorAll('main > section')].every(s => document.getElementById(s.getAttribute('aria-labelledby')))""")
     rule("screen reader: landmarks, and a heading names each section", marks)
+    here = lambda top: b.run("""scrollTo({top: arguments[0], behavior: 'instant'}); markSection();
+        return document.querySelector('nav [aria-current=true]').hash""", top)
+    links = b.run("return [...document.querySelectorAll('nav a')].map(a => a.hash)")
+    third = b.run("return document.querySelector(arguments[0]).getBoundingClientRect().top + scrollY", links[2])
+    rule("the navigation marks the section at the top", [here(0), here(third)] == [links[0], links[2]], (links, here(0), here(third)))
 
 
 def check_widths(b):
