@@ -108,6 +108,17 @@ static void take_display(struct argp_state *state, struct arguments *a, const ch
         no_such_display(state, name);
 }
 
+/* A name that means a picture, and no folder. */
+static bool is_of_another_kind(const char *output)
+{
+    static const char *const others[] = {".jpg", ".jpeg", ".gif", ".pdf", ".eps", ".ps", ".tif", ".bmp"};
+    const char *dot = strrchr(output, '.');
+    for (size_t i = 0; dot && i < sizeof others / sizeof *others; i++)
+        if (!strcasecmp(dot, others[i]))
+            return true;
+    return false;
+}
+
 /* One file is for one display, and its name must be of a kind in which that is drawn. */
 static void check_output(struct argp_state *state, const struct arguments *a)
 {
@@ -121,6 +132,8 @@ static void check_output(struct argp_state *state, const struct arguments *a)
                    film ? "the film is an animated WebP: -o OUT.webp, not '%s'"
                         : "pictures are PNG or SVG: -o OUT.png or OUT.svg, not '%s'",
                    a->output);
+    if (a->output && is_of_another_kind(a->output))
+        argp_error(state, "pictures are PNG or SVG: -o OUT.png, OUT.svg or a folder, not '%s'", a->output);
 }
 
 static void understand(struct argp_state *state, struct arguments *a)
