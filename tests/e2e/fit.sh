@@ -174,7 +174,7 @@ for bad in 's/^0,40,/0,41,/:measured.csv:2: messages 0, interrupts 41: total_s i
 done
 study >none.cfg
 fit none.cfg
-check "a study without a fit" said '^touchstone fit: none.cfg: fit: missing'
+check "a study without a fit" said '^touchstone fit: none.cfg: there is no group fit, which says what to fit'
 fit
 check "no study" ended_with 64
 fit --help

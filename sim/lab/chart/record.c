@@ -177,7 +177,7 @@ bool record_read(const char *path, struct record_points *points, char **error)
     if (!root && why.line < 0)
         *error = xstrdup(why.text);
     else if (!root)
-        *error = xasprintf("%s:%d: %s", path, why.line, why.text);
+        *error = xasprintf("%s:%d: these are no results of touchstone study: %s", path, why.line, why.text);
     else if (!ok)
         *error = xasprintf("%s: these are no results of touchstone study", path);
     *points = (struct record_points){each_of_list, list, root};
