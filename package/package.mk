@@ -4,12 +4,14 @@ PACKAGES ?= packages.txt
 GROUP     = run build cluster develop
 STRIP     = strip
 
-# Who builds without `make setup` is told first what is missing; what the compilers say after that is longer, and says less.
+# Who builds without `make setup` is told what is missing before minutes of compiling end at a header that is not there. MISSING= on the
+# command line builds with what is there, such as a library of the user's own.
 ifneq ($(filter all install unit,$(or $(MAKECMDGOALS),all)),)
 MISSING := $(shell GCC=$(GCC) package/setup --missing $(PACKAGES) run build)
 ifneq ($(MISSING),)
 $(info These Debian packages are missing: $(MISSING))
 $(info As root, or with sudo: make setup GROUP="run build")
+$(error packages are missing. To build with what is there: make MISSING=)
 endif
 endif
 

@@ -122,9 +122,11 @@ class Run:
         self.time_s = figures["virtual_time_s"]
         self.nodes = _table([{"node": i, **_flat(node)} for i, node in enumerate(figures["node"])])
 
+    def __repr__(self):
+        return f"{self.figures['program']} on {self.figures['nodes']} nodes of {self.figures['machine']}: {self.time_s:.6g} s"
+
     def _repr_html_(self):
-        head = f"{self.figures['program']} on {self.figures['nodes']} nodes of {self.figures['machine']}: {self.time_s:.6g} s"
-        return f"<p>{html.escape(head)}</p>" + self.nodes._repr_html_()
+        return f"<p>{html.escape(repr(self))}</p>" + self.nodes._repr_html_()
 
 
 def run(program, *arguments, machine=None, nodes=None, set=(), options=()):  # noqa: A002 (as the option is called)
@@ -146,7 +148,10 @@ def run(program, *arguments, machine=None, nodes=None, set=(), options=()):  # n
 
 def results(folder):
     """A study's points, of its folder."""
-    return _of_csv((pathlib.Path(folder) / "results.csv").read_text())
+    points = pathlib.Path(folder) / "results.csv"
+    if not points.is_file():
+        raise Error(f"{folder}: no folder of a study that has ended, which holds results.csv", 65)
+    return _of_csv(points.read_text())
 
 
 def trace(path, table="pieces"):

@@ -8,13 +8,7 @@
 
 /* --- words ---------------------------------------------------------------------------------------------- */
 
-/* The word that is most like `meant`, of those seen. */
-struct nearest {
-    const char *meant, *best; /* best: NULL at first */
-    size_t distance;          /* of best */
-};
-
-static void see(struct nearest *n, const char *word)
+void cli_nearest_see(struct cli_nearest *n, const char *word)
 {
     size_t d;
     if (edit_alike(n->meant, word, &d) && (!n->best || d < n->distance))
@@ -45,13 +39,13 @@ static bool each_option(const struct argp *command, visitor *visit, void *to)
 static bool see_command(void *to, const struct argp_option *o)
 {
     if (o->name && (o->flags & OPTION_DOC))
-        see(to, o->name);
+        cli_nearest_see(to, o->name);
     return false;
 }
 
 void cli_no_such_command(struct argp_state *state, const char *prefix, const char *name)
 {
-    struct nearest n = {.meant = name};
+    struct cli_nearest n = {.meant = name};
     each_option(state->root_argp, see_command, &n);
     if (n.best)
         argp_error(state, "there is no command '%s%s'; did you mean '%s%s'?", prefix, name, prefix, n.best);
@@ -62,7 +56,7 @@ void cli_no_such_command(struct argp_state *state, const char *prefix, const cha
 static bool see_option(void *to, const struct argp_option *o)
 {
     if (o->name && !(o->flags & (OPTION_DOC | OPTION_HIDDEN)))
-        see(to, o->name);
+        cli_nearest_see(to, o->name);
     return false;
 }
 
@@ -105,7 +99,7 @@ static bool has_word_in_help(void *to, const struct argp_option *o)
 
 static void refuse(struct argp_state *state, const char *name)
 {
-    struct nearest n = {.meant = name};
+    struct cli_nearest n = {.meant = name};
     struct in_help h = {.word = name};
     each_option(state->root_argp, see_option, &n);
     if (!n.best && strlen(name) >= 4)

@@ -254,10 +254,18 @@ static int is_machine(const struct dirent *e)
     return n > 4 && strcmp(e->d_name + n - 4, ".cfg") == 0;
 }
 
+/* By the names without ".cfg": ipsc860 comes before ipsc860-8mb. */
+static int by_name(const struct dirent **a, const struct dirent **b)
+{
+    size_t m = strlen((*a)->d_name) - 4, n = strlen((*b)->d_name) - 4;
+    int order = memcmp((*a)->d_name, (*b)->d_name, m < n ? m : n);
+    return order ? order : (m > n) - (m < n);
+}
+
 int cfg_list_machines(const char *dir, const char *between, FILE *f)
 {
     struct dirent **found = NULL;
-    int count = scandir(dir, &found, is_machine, alphasort);
+    int count = scandir(dir, &found, is_machine, by_name);
     for (int i = 0; i < count; i++) {
         fprintf(f, "%s%.*s", i ? between : "", (int)strlen(found[i]->d_name) - 4, found[i]->d_name);
         free(found[i]);

@@ -56,7 +56,7 @@ wrong "a setting of an unknown key" 65 'known here: .*interrupt_us' run --set sy
 wrong "a machine that is not there" 65 'no machine "detla".*delta, ipsc860' run -m detla ring
 wrong "more nodes than the machine has" 65 '529 nodes.*16 x 33' run -n 529 ring
 wrong "more nodes than the hypercube has" 65 '129 nodes' run -m ipsc860 -n 129 ring
-wrong "an unknown table" 65 'none of these tables' tables -t 9
+wrong "an unknown table" 65 'the paper has no Table 9: its tables are 1 to 5' tables -t 1,9
 wrong "a table that is no number" 64 "not 'one'" tables -t one
 wrong "no jobs" 64 "not '0'" tables -j 0
 wrong "one argument too many" 64 "'two.cfg' is one argument too many" study one.cfg two.cfg

@@ -103,9 +103,11 @@ check "a ratio" grep -q '>clock 80 / 40<' own/ratio.svg
 plot first --x clock --y virtual_time_s --ratio nodes
 check "an axis of more than two values has no ratio" said 'no picture virtual_time_s: a ratio needs an axis of two values; nodes has 3'
 plot first --x knots --y virtual_time_s
-check "no such axis" said 'no picture virtual_time_s: there is no axis knots'
+check "no such axis" said 'no picture virtual_time_s: there is no axis knots; there are: nodes, clock'
+plot axes.cfg
+check "a study is no results" said 'axes.cfg:1: these are no results of touchstone study'
 plot first --x nodes --y nothing
-check "no such figure" said 'no point has its figure, nothing'
+check "no such figure" said 'no point has a figure nothing'
 plot first --baseline clock -o own
 check "a baseline for each clock" grep -q '>baseline: the fewest nodes of each clock<' own/speedup.svg
 plot first -o own

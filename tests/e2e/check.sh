@@ -23,6 +23,9 @@ axes = (
 END2
 gate b.json halves.cfg
 check "no baseline: it could not be found out" ended_with 2
+gate halves.cfg b.json
+check "a study in the place of the baseline" eval 'ended_with 2 && said "halves.cfg:1: no baseline of touchstone check"'
+gate b.json halves.cfg
 check "and how to make one is said" said 'b.json: No such file.*--update'
 gate b.json --update halves.cfg
 check "a baseline is made" ended_with 0

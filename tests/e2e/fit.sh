@@ -58,7 +58,7 @@ cp runs/fitted.cfg first.cfg
 cp out first.out
 fit parts.cfg --constants again.cfg --json fit.json
 check "JSON has what the table has" test "$(jq -r '.parameters[] | "\(.name) \(.fitted) \(.determined)"' fit.json | paste -sd ' ')" = "$(awk 'NR > 1 && NR < 5 { printf "%s%s %s %s", NR == 2 ? "" : " ", $1, $5, /not determined/ ? "false" : "true" }' out)"
-check "again, nothing is run" shows ' evaluations, 0 runs, [0-9]+ more of before$'
+check "again, nothing is run" shows ' evaluations, 0 runs, [0-9]+ results of earlier runs$'
 check "and the same is found" cmp <(grep -v '^    date' first.cfg) <(grep -v '^    date' again.cfg)
 
 # --- numbers that the data cannot tell apart; a list in the study file; arguments of the program ---
@@ -174,7 +174,7 @@ for bad in 's/^0,40,/0,41,/:measured.csv:2: messages 0, interrupts 41: total_s i
 done
 study >none.cfg
 fit none.cfg
-check "a study without a fit" said '^touchstone fit: none.cfg: fit: missing'
+check "a study without a fit" said '^touchstone fit: none.cfg: there is no group fit, which says what to fit'
 fit
 check "no study" ended_with 64
 fit --help

@@ -10,6 +10,7 @@ shows() { grep -qE -- "$1" out; }
 
 machines
 check "the list has every machine" test "$(awk '{ print $1 }' out | paste -sd ' ')" = "$("$BUILD/touchstone" --machines | paste -sd ' ')"
+check "in order of their names" test "$(awk '{ print $1 }' out | LC_ALL=C sort | paste -sd " ")" = "$(awk '{ print $1 }' out | paste -sd " ")"
 check "with its nodes and what it is" shows '^delta +528 nodes  Intel Touchstone Delta'
 cp out list
 machines list

@@ -19,6 +19,7 @@ says() { # NAME EXPECTED EXPRESSION: of the module t
 time_of() { jq .virtual_time_s run.json; }
 says "a run: its time" True "t.run('ring', machine='ipsc860', nodes=4).time_s == $(time_of)"
 says "a row a node" "[0, 1, 2, 3] True" "(lambda r: f\"{r.column('node')} {sum(r.column('messages_sent')) == $(jq .messages run.json)}\")(t.run('ring', machine='ipsc860', nodes=4).nodes)"
+says "a run at the prompt" True "repr(t.run('ring', machine='ipsc860', nodes=4)).startswith('ring on 4 nodes of ipsc860: 0.')"
 says "a setting" True "t.run('ring', machine='ipsc860', nodes=4, set=['system.short_send_us=500']).time_s > $(time_of)"
 says "a notebook's table" "True 4" "(lambda h: f\"{'on 4 nodes of ipsc860' in h} {h.count('<tr><td>')}\")(t.run('ring', machine='ipsc860', nodes=4)._repr_html_())"
 says "a study: a row a point" "[2, 4]" "t.results('study').column('nodes')"
@@ -39,14 +40,15 @@ cd .. || exit 1
 
 cat >wrong.py <<'END'
 import touchstone
-for call in (lambda: touchstone.run("nowhere"), lambda: touchstone.numbers("detla"), lambda: touchstone.why("no.trace")):
+for call in (lambda: touchstone.run("nowhere"), lambda: touchstone.numbers("detla"), lambda: touchstone.why("no.trace"),
+             lambda: touchstone.results("nowhere")):
     try:
         call()
     except touchstone.Error as e:
         print(e.status, "detla" in str(e) or "no" in str(e))
 END
 /usr/bin/python3 wrong.py >out 2>err
-check "errors are raised, with the command's words" test "$(cat out)" = "$(printf '65 True\n65 True\n65 True')"
+check "errors are raised, with the command's words" test "$(cat out)" = "$(printf '65 True\n65 True\n65 True\n65 True')"
 
 # pandas, by a part of it that takes what a DataFrame takes.
 mkdir pandas

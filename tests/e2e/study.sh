@@ -32,7 +32,8 @@ cell() {
 study halves.cfg -o first
 check "it ends well" ended_with 0
 check "what was left out is not run" grep -qE '^4 points, 0 failed; first has findings.md, results.json, results.csv and 2 pictures$' out
-check "findings: it is said" grep -qx "halves at 4 points: 3 of nodes, 2 of share, 2 of call_us. The study's .only. leaves out 8 combinations." first/findings.md
+check "findings: it is said" grep -qx "halves at 4 points: 3 values of nodes, 2 of share, 2 of call_us. The study's .only. leaves out 8 combinations." first/findings.md
+check "findings: a column of numbers says of what" grep -qx '| nodes | call_us 5 | call_us 500 |' first/findings.md
 check "the program's figures are there" test "$(cell sum 4 0.5 5)" = 2
 check "other lines are not" bash -c '! grep -q words first/results.csv'
 check "the number of nodes reached the machine" test "$(cell others.nodes 4 0.5 5)" = 4
@@ -47,7 +48,7 @@ for f in time best; do check "picture $f" test -s first/$f.png -a -s first/$f.sv
 
 sed '/^only/d; s/( 2, 4, 8 )/( 2 )/; s/( 0.5, 3 )/( 0.5 )/; /^pictures/,/^);/d' halves.cfg >all.cfg
 study all.cfg -o all
-check "findings: a study of all combinations leaves out none" grep -qx 'halves at 2 points: 1 of nodes, 1 of share, 2 of call_us.' all/findings.md
+check "findings: a study of all combinations leaves out none" grep -qx 'halves at 2 points: 1 value of nodes, 1 of share, 2 of call_us.' all/findings.md
 
 study halves.cfg -o again -j 1
 grep -v wall_time first/results.json >a
@@ -72,3 +73,4 @@ study
 check "no file given" ended_with 64
 study --help
 check "there is help" grep -q '^Usage: touchstone study .* FILE' out
+check "its study file keeps its lines" test -z "$(sed -n '/^A study file:$/,/^$/p' out | sed 1d | grep '^[^ ]')"

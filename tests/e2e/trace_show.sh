@@ -88,6 +88,10 @@ is_error() { # STATUS TEXT
 }
 show nonsense ring.trace
 check "no such display" is_error 64 "there is no display 'nonsense'"
+show gantt -o a.jpg ring.trace
+check "no JPEG, and no folder of that name" eval 'is_error 64 "pictures are PNG or SVG" && [ ! -e a.jpg ]'
+show utilization ring.trace
+check "one that is like it is named" is_error 64 "there is no display 'utilization'; did you mean 'utilisation'"
 show gantt
 check "no trace" is_error 64 'which trace\?'
 show gantt kiviat -o x.png ring.trace

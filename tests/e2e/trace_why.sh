@@ -41,6 +41,8 @@ check "ring: its cause is the network" prints 'the largest cause is the network'
 check "ring: where nodes waited" prints 'in crecv at ring.c:15 \(main\), for types 1 to 12 of several nodes, from csend at ring.c:17 \(main\)'
 why --json - t.trace
 check "ring: nothing is unknown" eval "grep -q '\"unknown\": 0' out"
+"$BUILD/touchstone" trace why --json why.json --path t.trace 2>err | true
+check "ring: JSON is whole where nobody reads the text" grep -q '"begin_ps"' why.json
 why --json - --path t.trace
 check "ring: JSON has each step" eval '[ "$(grep -c "\"begin_ps\"" out)" -ge "$(ps step_count out)" ]'
 why --rerun t.trace

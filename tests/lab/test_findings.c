@@ -90,7 +90,7 @@ static void table_and_least(void **state)
     char *text = page("time_s", "");
     says(text, "# T\n");
     says(text, "Why.\n");
-    says(text, "p at 8 points: 4 of nodes, 2 of scheme.\n");
+    says(text, "p at 8 points: 4 values of nodes, 2 of scheme.\n");
     says(text, "\n1 failed");
     says(text, "![title](pic.png)");
     says(text, "| 4 | 3.900 | 3.000 |");

@@ -70,6 +70,9 @@ def check_study(b):
         {n: 1, kind: 'some', t: 1}, {n: 1, kind: 'all', t: 1}, {n: 2, kind: 'all', t: 1}]}, {x: 'n', y: 't', lines: ''})""")
     rule("study: other axes are held where most points are", held == {"kind": 2}, held)
     rule("study: linear or logarithmic", ticks() != logarithmic)
+    few = b.run("return [[0.5, 3], [1, 100], [1, 1e9]].map(range => ticksOf(d3.scaleLog().domain(range), true, 6))")
+    rule("study: a logarithmic axis has ticks also within a decade", len(few[0]) > 4 and few[1:] == [
+        [1, 2, 5, 10, 20, 50, 100], [10 ** i for i in range(10)]], few)
     chart = s.find_element(By.CSS_SELECTOR, "figure svg")
     b.run("arguments[0].focus()", chart)
     chart.send_keys(Keys.ARROW_RIGHT)
@@ -308,6 +311,11 @@ def check_keyboard(b):
     marks = b.run("""return ['header', 'nav', 'main', 'footer'].every(t => document.querySelectorAll(`body > ${t}`).length === 1) &&
         [...document.querySelectorAll('main > section')].every(s => document.getElementById(s.getAttribute('aria-labelledby')))""")
     rule("screen reader: landmarks, and a heading names each section", marks)
+    here = lambda top: b.run("""scrollTo({top: arguments[0], behavior: 'instant'}); markSection();
+        return document.querySelector('nav [aria-current=true]').hash""", top)
+    links = b.run("return [...document.querySelectorAll('nav a')].map(a => a.hash)")
+    third = b.run("return document.querySelector(arguments[0]).getBoundingClientRect().top + scrollY", links[2])
+    rule("the navigation marks the section at the top", [here(0), here(third)] == [links[0], links[2]], (links, here(0), here(third)))
 
 
 def check_widths(b):

@@ -8,6 +8,7 @@
 #include "lab/chart/chart_data.h"
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
+#include "lab/chart/record.h"
 #include "lab/jobs/outcome.h"
 #include "lab/jobs/words.h"
 
@@ -102,7 +103,7 @@ static bool take_axes(const struct record_points *points, const struct picture *
     enum { PLACES = sizeof names / sizeof *names };
     for (int i = 0; i < PLACES; i++)
         if (*names[i] && json_array_size(json_object_get(axes, names[i])) == 0) {
-            *error = xasprintf("there is no axis %s", names[i]);
+            *error = record_no_axis(axes, names[i]);
             return false;
         }
     for (int i = 0; i < PLACES; i++)

@@ -415,7 +415,7 @@ bool chart_script_write(const json_t *header, const struct picture *p, const str
         write_page(&s, false, dir);
         write_page(&s, true, dir);
     } else {
-        *error = xasprintf("no point has its figure, %s", p->figure);
+        *error = xasprintf("no point has a figure %s", p->figure);
     }
     free(s.y);
     free(heading);

@@ -8,6 +8,7 @@
 #include "kernel/xalloc.h"
 #include "lab/chart/chart_data.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -57,7 +58,8 @@ static bool write_head(const struct record_points *points, FILE *out, char **err
     fprintf(out, "%s at %zu points: ", text_in(points->header, "program"), t.points);
     json_object_foreach(json_object_get(points->header, "axes"), name, values)
     {
-        fprintf(out, "%s%zu of %s", before, json_array_size(values), name);
+        size_t count = json_array_size(values);
+        fprintf(out, "%s%zu%s of %s", before, count, *before ? "" : count == 1 ? " value" : " values", name);
         before = ", ";
         combinations *= json_array_size(values);
     }
@@ -108,12 +110,21 @@ static const char *line_name(const struct page *p, size_t line)
     return *p->data->lines.name ? p->data->lines.label[line] : what(p);
 }
 
+/* A column's head: the line's name, and before a mere number what it is the value of: "group 8". */
+static void write_column_head(const struct page *p, size_t line)
+{
+    const char *axis = p->data->lines.name, *name = line_name(p, line);
+    if (*axis && isdigit((unsigned char)*name))
+        fprintf(p->out, " %s", axis);
+    fprintf(p->out, " %s |", name);
+}
+
 static void write_table(const struct page *p, size_t panel)
 {
     const struct chart_data *d = p->data;
     fprintf(p->out, "| %s |", *p->picture->x_label ? p->picture->x_label : d->x.name);
     for (size_t line = 0; line < d->lines.count; line++)
-        fprintf(p->out, " %s |", line_name(p, line));
+        write_column_head(p, line);
     fputs("\n|--:|", p->out);
     for (size_t line = 0; line < d->lines.count; line++)
         fputs("--:|", p->out);

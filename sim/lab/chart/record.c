@@ -177,7 +177,7 @@ bool record_read(const char *path, struct record_points *points, char **error)
     if (!root && why.line < 0)
         *error = xstrdup(why.text);
     else if (!root)
-        *error = xasprintf("%s:%d: %s", path, why.line, why.text);
+        *error = xasprintf("%s:%d: these are no results of touchstone study: %s", path, why.line, why.text);
     else if (!ok)
         *error = xasprintf("%s: these are no results of touchstone study", path);
     *points = (struct record_points){each_of_list, list, root};
@@ -190,4 +190,19 @@ bool record_read(const char *path, struct record_points *points, char **error)
 void record_free(struct record_points *points)
 {
     json_decref(points->header);
+}
+
+char *record_no_axis(const json_t *axes, const char *name)
+{
+    char *said = xasprintf("there is no axis %s; there are: ", name);
+    const char *axis, *comma = "";
+    json_t *values;
+    json_object_foreach((json_t *)axes, axis, values)
+    {
+        char *longer = xasprintf("%s%s%s", said, comma, axis);
+        free(said);
+        said = longer;
+        comma = ", ";
+    }
+    return said;
 }

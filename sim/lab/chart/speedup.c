@@ -3,6 +3,7 @@
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
 #include "lab/chart/chart_data.h"
+#include "lab/chart/record.h"
 #include "lab/jobs/outcome.h"
 #include "lab/jobs/words.h"
 
@@ -40,9 +41,11 @@ static bool take_text(struct speedup *s, const char *text, char **error)
     char *name = sign ? xasprintf("%.*s", (int)(sign - text), text) : xstrdup(text);
     json_t *values = json_object_get(s->axes, name);
     bool ok = values && (!sign || has_value(values, sign + 1));
-    if (!values)
-        *error = xasprintf("baseline \"%s\": there is no axis %s", text, name);
-    else if (!ok)
+    if (!values) {
+        char *none = record_no_axis(s->axes, name);
+        *error = xasprintf("baseline \"%s\": %s", text, none);
+        free(none);
+    } else if (!ok)
         *error = xasprintf("baseline \"%s\": axis %s has no value %s", text, name, sign + 1);
     else
         json_set(sign ? s->only : s->each, name, sign ? json_string(sign + 1) : json_null());

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "lab/commands/lab_commands.h"
+#include "cli/nearest.h"
 #include "cli/say.h"
 #include "cli/trace_options.h"
 #include "files/folder_make.h"
@@ -80,6 +81,17 @@ static void add_display(struct arguments *a, const struct display *d)
     a->displays[a->display_count++] = d;
 }
 
+static void no_such_display(struct argp_state *state, const char *name)
+{
+    struct cli_nearest n = {.meant = name};
+    for (const struct display *d = DISPLAYS; d->name; d++)
+        cli_nearest_see(&n, d->name);
+    if (n.best)
+        argp_error(state, "there is no display '%s'; did you mean '%s'?", name, n.best);
+    else
+        argp_error(state, "there is no display '%s'; `touchstone trace show list` has them all", name);
+}
+
 static void take_display(struct argp_state *state, struct arguments *a, const char *name)
 {
     const struct display *d = display_find(name);
@@ -93,7 +105,18 @@ static void take_display(struct argp_state *state, struct arguments *a, const ch
     else if (d)
         add_display(a, d);
     else
-        argp_error(state, "there is no display '%s'; `touchstone trace show list` has them all", name);
+        no_such_display(state, name);
+}
+
+/* A name that means a picture, and no folder. */
+static bool is_of_another_kind(const char *output)
+{
+    static const char *const others[] = {".jpg", ".jpeg", ".gif", ".pdf", ".eps", ".ps", ".tif", ".bmp"};
+    const char *dot = strrchr(output, '.');
+    for (size_t i = 0; dot && i < sizeof others / sizeof *others; i++)
+        if (!strcasecmp(dot, others[i]))
+            return true;
+    return false;
 }
 
 /* One file is for one display, and its name must be of a kind in which that is drawn. */
@@ -109,6 +132,8 @@ static void check_output(struct argp_state *state, const struct arguments *a)
                    film ? "the film is an animated WebP: -o OUT.webp, not '%s'"
                         : "pictures are PNG or SVG: -o OUT.png or OUT.svg, not '%s'",
                    a->output);
+    if (a->output && is_of_another_kind(a->output))
+        argp_error(state, "pictures are PNG or SVG: -o OUT.png, OUT.svg or a folder, not '%s'", a->output);
 }
 
 static void understand(struct argp_state *state, struct arguments *a)

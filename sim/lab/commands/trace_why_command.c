@@ -161,10 +161,10 @@ static int write_all(const struct arguments *a, struct why *w, const struct why_
     enum { OUTPUT = 74 };
     bool text = !a->json || strcmp(a->json, "-") != 0 || strcmp(a->output, "-") != 0;
     char *error = NULL;
-    if (text && !write_text(a, w, o, &error))
-        return failed(error, OUTPUT);
-    if (a->json)
+    if (a->json) /* first: a reader of the text that has seen enough (| head) ends the process */
         error = json_file_write(why_json(w, o, a->path_lines), a->json);
+    if (!error && text)
+        write_text(a, w, o, &error);
     return error ? failed(error, OUTPUT) : 0;
 }
 

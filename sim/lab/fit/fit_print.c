@@ -104,7 +104,7 @@ void fit_print(const struct fit *f, const struct fit_result *r, FILE *out)
     print_failed(f, out);
     fprintf(out, "\nroot mean square of the residuals, %s: %.4g at the start, %.4g fitted\n", unit(f),
             r->rms_before, r->rms_after);
-    fprintf(out, "%s: %u evaluations, %zu runs, %zu more of before\n", fit_least_method(f->count),
+    fprintf(out, "%s: %u evaluations, %zu runs, %zu results of earlier runs\n", fit_least_method(f->count),
             f->evaluations, f->counts.run, f->counts.before + f->counts.cached);
     fprintf(out, "%s has the constants\n", f->options->constants);
 }

@@ -250,6 +250,12 @@ bool fit_read(struct fit *f, char **error)
         return false;
     struct cfg_reader *r = &f->spec->reader;
     config_setting_t *in = NULL;
+    if (!config_setting_get_member(r->root, "fit")) {
+        *error = xasprintf("%s: there is no group fit, which says what to fit to which measurements "
+                           "(touchstone fit --help shows one)",
+                           f->options->study.file);
+        return false;
+    }
     bool good = cfg_group(r, r->root, "fit", &in) && cfg_only(r, in, keys) && read_weights(r, in, f) &&
                 read_parameters(r, in, f) && read_build(r, in, f) && read_measurements(r, in, f, error);
     if (!good && !*error) {

@@ -46,7 +46,7 @@ void progress_ended(struct progress *p, const struct progress_counts *c, const c
     if (error)
         fprintf(p->to, "%s: %s\n", name, error);
     else if (!p->live)
-        fprintf(p->to, "%s: %s%s\n", name, duration_text(wall_time_s).text, left);
+        fprintf(p->to, "%s: done in %s%s\n", name, duration_text(wall_time_s).text, left);
     fflush(p->to);
     progress_show(p, c);
 }

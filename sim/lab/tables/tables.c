@@ -102,13 +102,28 @@ static void print_ready(void *arg)
     results_print_ready(p->results, p->out);
 }
 
+/* The first number of those wanted that no table has; 0 if there is none. */
+static unsigned not_there(const unsigned *wanted, const struct paper *paper)
+{
+    for (; wanted && *wanted; wanted++) {
+        size_t t = 0;
+        while (t < paper->count && paper->tables[t].number != *wanted)
+            t++;
+        if (t == paper->count)
+            return *wanted;
+    }
+    return 0;
+}
+
 static enum tables_end make(const struct tables_options *o, struct results *r, char **error)
 {
     struct printing printing = {r, o->out};
     /* (The range of a row that is sensitive to ties is known last.) */
     struct runs_watcher watcher = {o->ties ? NULL : print_ready, &printing};
-    if (!r->table_count)
-        *error = xasprintf("none of these tables is in paper.cfg");
+    unsigned unknown = not_there(o->wanted, r->paper);
+    if (unknown)
+        *error = xasprintf("the paper has no Table %u: its tables are %u to %u", unknown,
+                           r->paper->tables[0].number, r->paper->tables[r->paper->count - 1].number);
     else if (!folder_make(o->dir))
         *error = xasprintf("%s cannot be made: %s", o->dir, strerror(errno));
     else if (table_runs_do(o, r->paper, r->runs, r->run_count, watcher, &r->wall_time_s, error) &&

@@ -94,15 +94,15 @@ function makeScale(values, log, zero, range) {
     return (log ? d3.scaleLog() : d3.scaleLinear()).domain(extent(values, log, zero)).range(range);
 }
 
-/* Ticks of a scale that have room: of a logarithmic one 1, 2, 5 a decade, or the powers alone. */
+/* Ticks of a scale that have room: of a logarithmic one the most of all, 1, 2, 5 a decade, and the powers. */
 function ticksOf(scale, log, count) {
     if (!log)
         return scale.ticks(count);
     const all = scale.ticks(10), leading = t => Math.round(t / 10 ** Math.floor(Math.log10(t) + 1e-9));
+    if (!all.length)
+        return scale.domain();
     const some = all.filter(t => [1, 2, 5].includes(leading(t)));
-    if (some.length < 2)
-        return all.length ? all : scale.domain();
-    return some.length <= count * 1.6 ? some : all.filter(t => leading(t) === 1);
+    return [all, some].find(ticks => ticks.length <= count * 1.6) || all.filter(t => leading(t) === 1);
 }
 
 /* Which of the ticks leave so many pixels to the label before. */
@@ -110,7 +110,7 @@ function apart(ticks, scale, least) {
     let last = -Infinity;
     return ticks.filter(t => {
         const here = scale(t);
-        if (here - last < least)
+        if (Math.abs(here - last) < least)
             return false;
         last = here;
         return true;
@@ -157,7 +157,7 @@ function axes(o, x, y, width, height, margin) {
     const across = apart(o.ticksX ? o.ticksX.filter(t => t >= x.domain()[0] && t <= x.domain()[1])
                                   : ticksOf(x, o.logX, width / 90),
         x, 34);
-    for (const t of ticksOf(y, o.logY, height / 50)) {
+    for (const t of apart(ticksOf(y, o.logY, height / 50), y, 16)) {
         grid.append(svgElement('line', {x1: margin.left, x2: width - margin.right, y1: y(t), y2: y(t)}));
         g.append(svgElement('text', {x: margin.left - 8, y: y(t) + 4, 'text-anchor': 'end'}, axisNumber(t)));
     }

@@ -69,17 +69,17 @@ function fillCard(card, {kind, big, small}, name, section) {
         element('p', {class: 'small'}, small));
 }
 
-/* Marks in the navigation what is on the screen. */
+/* Marks in the navigation the section that the upper part of the screen shows. */
+function markSection() {
+    const links = [...document.querySelectorAll('nav a')], sections = links.map(a => document.querySelector(a.hash));
+    const shown = sections.filter(section => section?.getBoundingClientRect().top < 200).pop() || sections[0];
+    links.forEach((a, i) => a.setAttribute('aria-current', String(sections[i] === shown)));
+}
+
+/* May be called again when sections are others. */
 function followSections() {
-    const links = new Map([...document.querySelectorAll('nav a')].map(a => [a.hash.slice(1), a]));
-    const watch = new IntersectionObserver(entries => {
-        for (const {target, isIntersecting} of entries)
-            if (isIntersecting) {
-                links.forEach(a => a.removeAttribute('aria-current'));
-                links.get(target.id)?.setAttribute('aria-current', 'true');
-            }
-    }, {rootMargin: '-20% 0px -70% 0px'});
-    document.querySelectorAll('main section').forEach(section => watch.observe(section));
+    addEventListener('scroll', markSection, {passive: true});
+    markSection();
 }
 
 startPage().catch(problem => {

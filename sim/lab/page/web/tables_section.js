@@ -54,7 +54,7 @@ function errorSummary(s) {
 const PAPER_PAIRS = [
     ['Total time, s', 'total_s', 'paper_total_s', 3],
     ['Host idle, %', 'host_idle_pct', 'paper_host_idle_pct', 1],
-    ['Others idle, %', 'slave_idle_pct', 'paper_slave_idle_pct', 1],
+    ['Slave idle, %', 'slave_idle_pct', 'paper_slave_idle_pct', 1],
     ['Speed / node', 'speed_per_node', 'paper_speed_per_node', 3]
 ];
 

@@ -2,7 +2,7 @@
  * piece. */
 
 function traceSections(trace, name) {
-    const section = addSection(`Timeline of ${baseName(trace.program)}`, 'Timeline: ' + baseName(name),
+    const section = addSection(`Timeline of ${baseName(trace.program)} on ${trace.machine}`, 'Timeline: ' + baseName(name),
         `${trace.command} (${name}): ${plural(trace.rows.length, 'node')}, ${
             plural(trace.pieceCount,
                 'interval')}, ${plural(trace.messageCount, 'message')} in ${roughly(Number(trace.end))}.`);
