@@ -1,7 +1,9 @@
-/* asprintf.c - printing to memory that is as large as the text. */
+/* asprintf.c - printing to memory that is as large as the text, and to descriptors. */
+#define _GNU_SOURCE
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 int vasprintf(char **text, const char *format, va_list arguments)
 {
@@ -18,6 +20,25 @@ int asprintf(char **text, const char *format, ...)
     va_list arguments;
     va_start(arguments, format);
     int length = vasprintf(text, format, arguments);
+    va_end(arguments);
+    return length;
+}
+
+int vdprintf(int fd, const char *format, va_list arguments)
+{
+    char *text;
+    int length = vasprintf(&text, format, arguments);
+    if (length >= 0 && write(fd, text, (size_t)length) != length)
+        length = -1;
+    free(text);
+    return length;
+}
+
+int dprintf(int fd, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    int length = vdprintf(fd, format, arguments);
     va_end(arguments);
     return length;
 }

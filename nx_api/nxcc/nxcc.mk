@@ -101,7 +101,7 @@ $(STAND_INS): | $(NODE)/libnode.so
 # programs see it, and NX's faces to Fortran. It does not tell by which costs, as the user's files do (costs_mark.h).
 # GCC inlines in it what it likes, whatever the processor's compilers do (`inlines` of a cpu file): host time is saved.
 NODE_CODE_FLAGS := -finline-small-functions -finline-functions -finline-functions-called-once -fpartial-inlining -fipa-sra -fipa-cp
-COMMON_HDR := $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/fortran/*.h)
+COMMON_HDR := $(wildcard nx_api/common/*.h nx_api/common/*.def nx_api/fortran/*.h nx_api/libc/*.h)
 define NODE_CODE
 $(NODE)/obj/$(1)%.o: nx_api/%.c $(COMMON_HDR) $(NODE_TOOLS)
 	@mkdir -p $$(@D)

@@ -64,12 +64,29 @@ int stripes_set(struct node *n, int fd, int factor, int start)
     return cfs_restrict(cfs_file_of(descriptor_file(n, fd)), list, (uint32_t)factor);
 }
 
+/* A lock is the node's own: it gets each at once, and never finds one of another node's. */
+static int lock(int what, struct flock *l)
+{
+    if (l->l_type != F_RDLCK && l->l_type != F_WRLCK && (l->l_type != F_UNLCK || what == F_GETLK)) {
+        errno = EINVAL;
+        return -1;
+    }
+    if (what == F_GETLK)
+        l->l_type = F_UNLCK;
+    return 0;
+}
+
+static bool is_lock(int what)
+{
+    return what == F_GETLK || what == F_SETLK || what == F_SETLKW;
+}
+
 /* Of other requests only those that every descriptor serves. */
 int node_fcntl(int fd, int what, ...)
 {
     va_list ap;
     va_start(ap, what);
-    void *argument = nx_is_of_stripes(what) ? va_arg(ap, void *) : NULL;
+    void *argument = nx_is_of_stripes(what) || is_lock(what) ? va_arg(ap, void *) : NULL;
     int least = what == F_DUPFD ? va_arg(ap, int) : 0;
     va_end(ap);
     if (nx_is_of_stripes(what))
@@ -78,6 +95,8 @@ int node_fcntl(int fd, int what, ...)
         return descriptor_copy_free(node_self(), fd, least);
     if (!descriptor_file(node_self(), fd))
         return -1;
+    if (is_lock(what))
+        return lock(what, argument);
     if (what == F_GETFD || what == F_SETFD)
         return 0;
     errno = EINVAL;

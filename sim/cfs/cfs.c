@@ -35,7 +35,7 @@ struct cfs *cfs_new(struct node_system *sys, const char *dir, char **error)
     struct ionode_up up = {c, cfs_answer, cfs_room, broken};
     for (uint32_t i = 0; i < c->cfg->io_nodes; i++)
         c->io[i] = ionode_new(c->cfg, sys->schedule.q, i, c->first_address + i, sys->count, &up);
-    c->fs = (struct node_fs){c, cfs_open, cfs_unlink, cfs_rename, cfs_stat_path};
+    c->fs = (struct node_fs){c, cfs_open, cfs_unlink, cfs_rename, cfs_stat_path, cfs_names};
     return c;
 }
 

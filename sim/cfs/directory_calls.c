@@ -23,6 +23,7 @@ struct question {
     mode_t permissions;
     struct store_file *store;
     struct stat st;
+    char *names;           /* of the answer, for free() */
     struct cfs_file *file; /* an open one of the program's; NULL: the request is about a name */
     uint64_t number;
     const uint32_t *disks; /* `number` of them */
@@ -57,6 +58,7 @@ static void drop(struct question *q)
     free((void *)(uintptr_t)q->path);
     free((void *)(uintptr_t)q->to);
     free((void *)(uintptr_t)q->disks);
+    free(q->names);
     free(q);
 }
 
@@ -109,6 +111,8 @@ static int ask(struct cfs *c, struct node *n, struct question *q, vtime takes)
     node_order(n);
     node_wait(n, is_answered, kept);
     q->error = kept->error, q->number = kept->number, q->store = kept->store, q->st = kept->st;
+    q->names = kept->names;
+    kept->names = NULL; /* the caller's now */
     drop(kept);
     errno = q->error;
     return q->error ? -1 : 0;
@@ -181,6 +185,18 @@ int cfs_stat_path(void *ctx, struct node *n, const char *path, struct stat *st)
     if (r == 0)
         *st = q.st;
     return r;
+}
+
+static int do_names(struct question *q)
+{
+    return store_names(q->cfs->store, q->path, &q->names);
+}
+
+char *cfs_names(void *ctx, struct node *n, const char *path)
+{
+    struct cfs *c = ctx;
+    struct question q = {.work = do_names, .path = path};
+    return ask(c, n, &q, c->cfg->open_ps) ? NULL : q.names;
 }
 
 /* --- sizes --- */

@@ -16,10 +16,11 @@ struct store_file;
  */
 struct store_file *cfs_ask_open(struct cfs *c, struct node *n, const char *path, int flags,
                                 mode_t permissions);
-/* As node_fs.unlink, rename and stat; ctx: struct cfs. */
+/* As node_fs.unlink, rename, stat and names; ctx: struct cfs. */
 int cfs_unlink(void *ctx, struct node *n, const char *path);
 int cfs_rename(void *ctx, struct node *n, const char *from, const char *to);
 int cfs_stat_path(void *ctx, struct node *n, const char *path, struct stat *st);
+char *cfs_names(void *ctx, struct node *n, const char *path);
 /* As node_file_class.stat and truncate. */
 int cfs_fstat(struct node_file *f, struct stat *st);
 int cfs_truncate(struct node_file *f, int64_t size);

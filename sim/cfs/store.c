@@ -10,6 +10,7 @@
 #include <unistd.h>
 #include "files/folder_make.h"
 #include "guest/fence.h"
+#include "guest/folder_names.h"
 #include "kernel/xalloc.h"
 
 struct store {
@@ -280,6 +281,21 @@ int store_stat(struct store *s, const char *path, struct stat *st)
         return error;
     st->st_ino = identity(name);
     return 0;
+}
+
+int store_names(struct store *s, const char *path, char **names)
+{
+    char name[PATH_MAX], host[PATH_MAX];
+    if (!within(path, name, sizeof name))
+        return EACCES;
+    int error = host_path(s, name, host, sizeof host);
+    if (error)
+        return error;
+    int fd = fence_open(s->fence, host, O_RDONLY | O_DIRECTORY | O_CLOEXEC, 0);
+    if (fd < 0)
+        return error_of(fd);
+    *names = folder_names(fd);
+    return *names ? 0 : errno;
 }
 
 /* --- bytes --- */

@@ -334,6 +334,11 @@ int node_lstat(const char *path, struct stat *st)
     return file_lstat(node_self(), path, st);
 }
 
+ssize_t node_readlink(const char *path, char *buf, size_t size)
+{
+    return file_readlink(node_self(), path, buf, size);
+}
+
 int node_mkdir(const char *path, mode_t permissions)
 {
     return file_make_folder(node_self(), path, permissions);

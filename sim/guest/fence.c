@@ -273,6 +273,20 @@ int fence_lstat(struct fence *f, const char *path, struct stat *st)
     return f ? stat_found(f, path, st, O_NOFOLLOW) : lstat(path, st);
 }
 
+ssize_t fence_readlink(struct fence *f, const char *path, char *buf, size_t size)
+{
+    if (!f)
+        return readlink(path, buf, size);
+    int fd = look_up(f, path, O_NOFOLLOW, LOOKS);
+    struct stat st;
+    if (fd < 0)
+        return fd;
+    if (fstat(fd, &st) == 0 && S_ISLNK(st.st_mode))
+        return closed(fd, (int)readlinkat(fd, "", buf, size));
+    errno = EINVAL;
+    return closed(fd, -1);
+}
+
 static int remove_at(struct fence *f, const char *path, int flags)
 {
     struct place p;

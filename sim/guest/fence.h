@@ -31,6 +31,7 @@ int fence_open_temporary(struct fence *f, const char *path, int flags);
 /* Whoever may not use a file may not look at it either, but for the folders on the way to an entry. */
 int fence_stat(struct fence *f, const char *path, struct stat *st);
 int fence_lstat(struct fence *f, const char *path, struct stat *st);
+ssize_t fence_readlink(struct fence *f, const char *path, char *buf, size_t size);
 int fence_unlink(struct fence *f, const char *path);
 int fence_mkdir(struct fence *f, const char *path, mode_t permissions);
 int fence_rmdir(struct fence *f, const char *path);

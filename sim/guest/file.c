@@ -9,6 +9,7 @@
 #include "kernel/xalloc.h"
 #include "guest/fence.h"
 #include "guest/folder.h"
+#include "guest/folder_names.h"
 #include "os/handlers.h"
 #include "node/node.h"
 #include "node/system.h"
@@ -118,7 +119,14 @@ static int no_stat(void *ctx, struct node *n, const char *path, struct stat *st)
     return refuse();
 }
 
-static const struct node_fs NO_FS = {NULL, no_open, no_unlink, no_rename, no_stat};
+static char *no_names(void *ctx, struct node *n, const char *path)
+{
+    (void)ctx, (void)n, (void)path;
+    refuse();
+    return NULL;
+}
+
+static const struct node_fs NO_FS = {NULL, no_open, no_unlink, no_rename, no_stat, no_names};
 
 /* --- which file system a path belongs to --- */
 
@@ -324,6 +332,36 @@ int file_lstat(struct node *n, const char *path, struct stat *st)
     node_order(n);
     note_host_file(n->sys, path);
     return host_answer(n, fence_lstat(n->sys->fence, path, st));
+}
+
+/* The machine's file system has no links, so none can be read there. */
+ssize_t file_readlink(struct node *n, const char *path, char *buf, size_t size)
+{
+    struct stat st;
+    path = folder_path(n, path, 0);
+    if (!file_is_simulated(path)) {
+        node_order(n);
+        note_host_file(n->sys, path);
+        return host_answer(n, (int)fence_readlink(n->sys->fence, path, buf, size));
+    }
+    if (file_stat(n, path, &st) == 0)
+        node_set_errno(EINVAL);
+    return -1;
+}
+
+char *file_names(struct node *n, const char *path)
+{
+    path = folder_path(n, path, 0);
+    if (!file_is_simulated(path)) {
+        node_order(n);
+        note_host_file(n->sys, path);
+        int flags = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
+        return folder_names(host_answer(n, fence_open(n->sys->fence, path, flags, 0)));
+    }
+    bool masked = enter(n, "opendir");
+    char *names = fs_of(n)->names(fs_of(n)->ctx, n, path);
+    leave(n, masked);
+    return names;
 }
 
 int file_unlink(struct node *n, const char *path)

@@ -49,6 +49,7 @@ struct node_fs {
     int (*unlink)(void *ctx, struct node *n, const char *path);
     int (*rename)(void *ctx, struct node *n, const char *from, const char *to);
     int (*stat)(void *ctx, struct node *n, const char *path, struct stat *st);
+    char *(*names)(void *ctx, struct node *n, const char *path); /* as file_names() */
 };
 
 bool file_is_simulated(const char *path); /* Does the path belong to the machine's file system? */
@@ -72,6 +73,9 @@ int file_stat(struct node *n, const char *path, struct stat *st);
 /* As file_stat(), called between node_enter() and node_leave(). */
 int file_stat_within(struct node *n, const char *path, struct stat *st);
 int file_lstat(struct node *n, const char *path, struct stat *st);
+ssize_t file_readlink(struct node *n, const char *path, char *buf, size_t size);
+/* The names in a folder, for free(): folder_names.h. */
+char *file_names(struct node *n, const char *path);
 int file_unlink(struct node *n, const char *path);
 int file_rename(struct node *n, const char *from, const char *to);
 int file_make_folder(struct node *n, const char *path, mode_t permissions);

@@ -75,8 +75,8 @@ static char *present(struct node *n)
 int node_chdir(const char *path)
 {
     struct node *n = node_self();
-    char *now = *path == '/' ? xstrdup("") : present(n);
-    char *to = now ? xasprintf("%s/%s", now, path) : NULL;
+    char *now = *path == '/' ? NULL : present(n);
+    char *to = *path == '/' ? xstrdup(path) : now ? xasprintf("%s/%s", now, path) : NULL;
     free(now);
     if (to == NULL || *path == 0 || check_is_folder(n, to) != 0) {
         int why = *path == 0 ? ENOENT : node_errno();
@@ -114,4 +114,33 @@ char *node_getcwd(char *buf, size_t size)
 char *node_getwd(char *buf)
 {
     return node_getcwd(buf, PATH_MAX);
+}
+
+/* --- what is in a folder --- */
+
+/* The bytes of a list of folder_names.h. */
+static size_t length_of(const char *list)
+{
+    size_t at = 0;
+    while (list[at] != 0)
+        at += strlen(list + at) + 1;
+    return at + 1;
+}
+
+/* What node code (nx_api/libc/dirent.c) asks for: sets *list to the folder's list, in memory of the
+ * program's own, for its free(). 0, or -1 with errno. */
+int node_nx_folder_names(const char *path, char **list)
+{
+    char *names = file_names(node_self(), path);
+    if (!names)
+        return -1;
+    size_t bytes = length_of(names);
+    *list = node_malloc(bytes);
+    if (*list)
+        memcpy(*list, names, bytes);
+    free(names);
+    if (*list)
+        return 0;
+    node_set_errno(ENOMEM);
+    return -1;
 }

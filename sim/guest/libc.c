@@ -22,6 +22,27 @@
 #include "os/gate.h"
 #include "nx_api/contract/error_text.h"
 
+/* GNU's variables that hold the program's name, with the folders before it or without, and older names of
+ * theirs. */
+static const struct {
+    const char *variable;
+    bool is_short;
+} program_names[PROGRAM_NAMES] = {{"program_invocation_name", false},
+                                  {"program_invocation_short_name", true},
+                                  {"__progname_full", false},
+                                  {"__progname", true}};
+
+static char **program_name(struct node *n, size_t i)
+{
+    char ***at = &libc_of(n)->program_names[i];
+    if (!*at) {
+        char *name = n->cold->argv[0], *slash = strrchr(name, '/');
+        *at = own_memory_need(n, sizeof **at);
+        **at = program_names[i].is_short && slash ? slash + 1 : name;
+    }
+    return *at;
+}
+
 void *node_libc_data(struct node *n, const char *name)
 {
     if (strcmp(name, "environ") == 0)
@@ -30,7 +51,12 @@ void *node_libc_data(struct node *n, const char *name)
         return stream_variable(n, STDIN_FILENO);
     if (strcmp(name, "stdout") == 0)
         return stream_variable(n, STDOUT_FILENO);
-    return strcmp(name, "stderr") == 0 ? stream_variable(n, STDERR_FILENO) : NULL;
+    if (strcmp(name, "stderr") == 0)
+        return stream_variable(n, STDERR_FILENO);
+    for (size_t i = 0; i < PROGRAM_NAMES; i++)
+        if (strcmp(name, program_names[i].variable) == 0)
+            return program_name(n, i);
+    return NULL;
 }
 
 char **node_libc_envp(struct node *n)
@@ -61,6 +87,7 @@ void node_libc_free(struct node *n)
     descriptors_close(&c->descriptors);
     free(c->atexit);
     free(c->random);
+    free(c->soft_limits);
     folder_free(c);
     node_libc_free_environment(c);
     own_memory_forget(&c->own);
@@ -373,7 +400,13 @@ void node_freelocale(locale_t l)
     (void)l;
 }
 
-/* --- errors as texts --- */
+/* --- errors and signals as texts --- */
+
+char *node_strsignal(int number)
+{
+    const char *text = sigdescr_np(number);
+    return own_memory_text(node_self(), text ? text : "Unknown signal");
+}
 
 char *node_strerror(int code)
 {

@@ -14,12 +14,10 @@
 static bool returns_pointer(const char *name)
 {
     static const char *const names[] = {
-        "popen",      "opendir",       "readdir",       "gethostbyname",  "gethostbyaddr",
-        "gethostent", "getservbyname", "getservbyport", "getprotobyname", "getpwnam",
-        "getpwuid",   "getpwent",      "getgrnam",      "getgrgid",       "getpass",
-        "dlopen",     "dlsym",         "dlerror",       "inet_ntoa",      "ttyname",
-        "ctermid",    "tempnam",       "fmemopen",      "open_memstream", "crypt",
-        "setmntent",  "getmntent",     "tsearch",       "tfind",          "nl_langinfo"};
+        "popen",         "fdopendir",      "gethostbyname", "gethostbyaddr", "gethostent", "getservbyname",
+        "getservbyport", "getprotobyname", "getpwent",      "getgrnam",      "getgrgid",   "getpass",
+        "dlopen",        "dlsym",          "dlerror",       "inet_ntoa",     "tempnam",    "crypt",
+        "setmntent",     "getmntent",      "fopencookie",   "nl_langinfo"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(name, names[i]) == 0)
             return true;

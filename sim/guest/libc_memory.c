@@ -9,9 +9,11 @@
 #include "kernel/crossing.h"
 #include "node/node.h"
 #include "node/self.h"
+#include "node/system.h"
 #include "nx_api/contract/backend.h"
 #include "os/asan_hooks.h"
 #include "os/fail.h"
+#include "os/memory.h"
 #include "os/observer.h"
 
 void *node_malloc(size_t bytes);
@@ -19,12 +21,20 @@ int node_getpagesize(void);
 
 enum { LEAST_ALIGN = 16 }; /* of what malloc gives */
 
+static void note_refusal(struct node *n, size_t bytes)
+{
+    struct node_refusal *r = &n->cold->refusal;
+    *r = (struct node_refusal){.bytes = bytes, .used = node_memory_claimed(n), .heap = n->heap_used};
+    if (n->sys->calls_from)
+        r->depth = n->sys->calls_from(n, (uintptr_t)crossing_frame(), r->returns, REFUSAL_CALLS);
+}
+
 /* Returns p, the answer to an allocation, or what a checked program gets in its place. A refused allocation
  * is noted for the report, since programs rarely check. */
 static void *answer(struct node *n, void *p, size_t align, size_t bytes)
 {
     if (p == NULL) {
-        n->cold->failed_malloc = bytes;
+        note_refusal(n, bytes);
         errno = ENOMEM;
     } else if (n->asan) {
         p = asan_give(n, p, align, bytes, __builtin_frame_address(0));

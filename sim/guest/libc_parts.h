@@ -3,6 +3,7 @@
 #define GUEST_LIBC_PARTS_H
 #include <stddef.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <wchar.h>
 #include "kernel/vtime.h"
 #include "guest/folder.h"
@@ -17,6 +18,8 @@ struct random_numbers {
     char first_state[128];
     struct drand48_data drand48;
 };
+
+enum { PROGRAM_NAMES = 4 };
 
 struct node_libc {
     struct streams streams;
@@ -35,11 +38,13 @@ struct node_libc {
     size_t environment_room;
     struct set_text *set; /* texts that setenv has made */
     size_t set_count;
-    char *unknown_error;           /* texts and tables that the program has been given */
-    unsigned short *seed48_before; /* NULL: not yet */
+    char **program_names[PROGRAM_NAMES]; /* the variables, NULL: it has not asked for it */
+    char *unknown_error;                 /* texts and tables that the program has been given */
+    unsigned short *seed48_before;       /* NULL: not yet */
     struct __locale_struct *locale;
     struct ctype_tables *ctype;
-    vtime alarm_at; /* 0: none is set */
+    rlim_t *soft_limits; /* NULL: as they are at first */
+    vtime alarm_at;      /* 0: none is set */
     unsigned temporary_names;
     void (**atexit)(void);
     size_t atexit_count;

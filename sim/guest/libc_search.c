@@ -22,6 +22,23 @@ void node_qsort(void *base, size_t count, size_t bytes, void *function)
     qsort_r(base, count, bytes, compare_for_qsort, function);
 }
 
+struct with_argument {
+    void *function, *argument;
+};
+
+static int compare_for_qsort_r(const void *a, const void *b, void *with)
+{
+    const struct with_argument *w = with;
+    return (int)crossing_call(w->function, (long)a, (long)b, (long)w->argument, 0, 0);
+}
+
+void node_qsort_r(void *base, size_t count, size_t bytes, void *function, void *argument);
+void node_qsort_r(void *base, size_t count, size_t bytes, void *function, void *argument)
+{
+    struct with_argument w = {function, argument};
+    qsort_r(base, count, bytes, compare_for_qsort_r, &w);
+}
+
 void *node_bsearch(const void *key, const void *base, size_t count, size_t bytes, void *function);
 void *node_bsearch(const void *key, const void *base, size_t count, size_t bytes, void *function)
 {

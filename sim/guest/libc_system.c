@@ -155,6 +155,62 @@ long node_sysconf(int name)
     }
 }
 
+/* --- limits: the machine sets the hard one; the soft one is the program's to set, and to read --- */
+
+static rlim_t hard_limit(const struct node *n, int what)
+{
+    switch (what) {
+    case RLIMIT_DATA:
+    case RLIMIT_AS:
+    case RLIMIT_RSS:
+        return node_memory_limit(n);
+    case RLIMIT_STACK:
+        return n->sys->cfg->stack_bytes;
+    case RLIMIT_NOFILE:
+        return NODE_DESCRIPTORS;
+    case RLIMIT_NPROC:
+        return 1;
+    case RLIMIT_CORE:
+    case RLIMIT_MEMLOCK:
+        return 0;
+    default:
+        return RLIM_INFINITY;
+    }
+}
+
+int node_getrlimit(int what, struct rlimit *l)
+{
+    struct node *n = node_self();
+    if (what < 0 || what >= RLIM_NLIMITS) {
+        errno = EINVAL;
+        return -1;
+    }
+    const rlim_t *soft = libc_of(n)->soft_limits;
+    l->rlim_max = hard_limit(n, what);
+    l->rlim_cur = soft ? soft[what] : l->rlim_max;
+    return 0;
+}
+
+int node_setrlimit(int what, const struct rlimit *l)
+{
+    struct node *n = node_self();
+    struct rlimit now;
+    if (node_getrlimit(what, &now) != 0)
+        return -1;
+    if (l->rlim_cur > l->rlim_max || l->rlim_max > now.rlim_max) {
+        errno = l->rlim_cur > l->rlim_max ? EINVAL : EPERM;
+        return -1;
+    }
+    struct node_libc *c = libc_of(n);
+    if (!c->soft_limits) {
+        c->soft_limits = xcalloc(RLIM_NLIMITS, sizeof *c->soft_limits);
+        for (int i = 0; i < RLIM_NLIMITS; i++)
+            c->soft_limits[i] = hard_limit(n, i);
+    }
+    c->soft_limits[what] = l->rlim_cur;
+    return 0;
+}
+
 /* --- the environment: what the user has given, copied for the program when it first asks for something
  * that is there --- */
 

@@ -135,6 +135,16 @@ FILE *node_fdopen(int fd, const char *mode)
     return stream_fdopen(streams(), node_self(), fd, mode);
 }
 
+FILE *node_open_memstream(char **text, size_t *size)
+{
+    return stream_open_memstream(streams(), node_self(), text, size);
+}
+
+FILE *node_fmemopen(void *at, size_t size, const char *mode)
+{
+    return stream_fmemopen(streams(), node_self(), at, size, mode);
+}
+
 int node_fileno(FILE *f)
 {
     return stream_fileno(streams(), f);

@@ -8,6 +8,7 @@
 #include <unistd.h>
 #include "kernel/xalloc.h"
 #include "guest/libc_parts.h"
+#include "guest/memory_file.h"
 #include "node/node.h"
 #include "guest/streams.h"
 #include "guest/host_errno.h"
@@ -24,10 +25,15 @@ static bool on_its_node(const struct stream *s)
     return node_is_self(s->node);
 }
 
+static struct node_file *file_under(const struct stream *s)
+{
+    return s->memory ? s->memory : descriptor_file(s->node, s->fd);
+}
+
 static ssize_t stream_read(void *cookie, char *buf, size_t size)
 {
     struct stream *s = cookie;
-    struct node_file *f = descriptor_file(s->node, s->fd);
+    struct node_file *f = file_under(s);
     return f ? file_read(f, buf, size) : -1;
 }
 
@@ -36,7 +42,7 @@ static ssize_t stream_write(void *cookie, const char *buf, size_t size)
     struct stream *s = cookie;
     if (!on_its_node(s))
         return (ssize_t)size;
-    struct node_file *f = descriptor_file(s->node, s->fd);
+    struct node_file *f = file_under(s);
     ssize_t done = f ? file_write(f, buf, size) : 0;
     return done < 0 ? 0 : done;
 }
@@ -46,7 +52,7 @@ static int stream_seek(void *cookie, off64_t *offset, int whence)
     struct stream *s = cookie;
     if (!on_its_node(s))
         return -1; /* the host's C library closes its streams at the end */
-    struct node_file *f = descriptor_file(s->node, s->fd);
+    struct node_file *f = file_under(s);
     off64_t at = f ? file_seek(f, *offset, whence) : -1;
     if (at < 0)
         return -1;
@@ -88,6 +94,8 @@ static void remove_stream(struct streams *list, struct stream *s)
     while (*link != s)
         link = &(*link)->next;
     *link = s->next;
+    if (s->memory)
+        file_drop(s->memory);
     free(s);
 }
 
@@ -257,6 +265,27 @@ FILE *stream_fdopen(struct streams *list, struct node *n, int fd, const char *mo
     return add_stream(list, n, fd, mode)->file;
 }
 
+static FILE *stream_of_memory(struct streams *list, struct node *n, struct node_file *f, const char *mode)
+{
+    if (!f)
+        return NULL;
+    struct stream *s = add_stream(list, n, -1, mode);
+    s->memory = f;
+    return s->file;
+}
+
+FILE *stream_open_memstream(struct streams *list, struct node *n, char **text, size_t *size)
+{
+    return stream_of_memory(list, n, memory_file_growing(n, text, size), "w");
+}
+
+FILE *stream_fmemopen(struct streams *list, struct node *n, void *at, size_t size, const char *mode)
+{
+    if (open_flags(mode) < 0)
+        return NULL;
+    return stream_of_memory(list, n, memory_file_fixed(n, at, size, mode), mode);
+}
+
 int stream_fclose(struct streams *list, FILE *f)
 {
     struct stream *s = find_stream(list, f);
@@ -266,7 +295,8 @@ int stream_fclose(struct streams *list, FILE *f)
     }
     int r = __fwriting(f) ? fflush(f) : 0;
     node_order(s->node);
-    r |= descriptor_close(s->node, s->fd);
+    if (!s->memory)
+        r |= descriptor_close(s->node, s->fd);
     if (s->standard) {
         s->fd = -1;
         return r;
@@ -293,7 +323,7 @@ FILE *stream_freopen(struct streams *list, const char *path, const char *mode, F
     struct stream *s = find_stream(list, f);
     bool reads = *mode == 'r' || strchr(mode, '+') != NULL,
          writes = *mode != 'r' || strchr(mode, '+') != NULL;
-    if (s == NULL || path == NULL || (reads && !__freadable(f)) || (writes && !__fwritable(f))) {
+    if (s == NULL || s->memory || path == NULL || (reads && !__freadable(f)) || (writes && !__fwritable(f))) {
         errno = EINVAL;
         return NULL;
     }

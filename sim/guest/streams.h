@@ -11,13 +11,15 @@
 #include <stdio.h>
 
 struct node;
+struct node_file;
 
 struct stream {
     struct node *node;
     FILE *file;
-    int fd;        /* descriptors.h; -1: a standard stream that has been closed */
-    bool standard; /* freed with the node: the program has it in stdin, stdout or stderr */
-    uint64_t made; /* greater than that of any stream made before, of all nodes */
+    int fd; /* descriptors.h; -1: a standard stream that has been closed, or one of memory */
+    struct node_file *memory; /* memory_file.h; NULL: it is a descriptor's */
+    bool standard;            /* freed with the node: the program has it in stdin, stdout or stderr */
+    uint64_t made;            /* greater than that of any stream made before, of all nodes */
     struct stream *next;
 };
 
@@ -46,6 +48,8 @@ FILE *stream_fopen(struct streams *s, struct node *n, const char *path, const ch
 FILE *stream_freopen(struct streams *s, const char *path, const char *mode, FILE *f);
 FILE *stream_tmpfile(struct streams *s, struct node *n);
 FILE *stream_fdopen(struct streams *s, struct node *n, int fd, const char *mode);
+FILE *stream_open_memstream(struct streams *s, struct node *n, char **text, size_t *size);
+FILE *stream_fmemopen(struct streams *s, struct node *n, void *at, size_t size, const char *mode);
 int stream_fclose(struct streams *s, FILE *f);
 int stream_fileno(const struct streams *s, const FILE *f);
 #endif

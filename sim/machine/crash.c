@@ -15,6 +15,7 @@
 #include "kernel/fiber.h"
 #include "guest/image.h"
 #include "guest/backtrace.h"
+#include "guest/refusal.h"
 #include "node/self.h"
 
 /* The stack of a thread's signal handlers, which grows down towards the rest. A program may have lost the way
@@ -292,8 +293,8 @@ static void print_cause(FILE *f, const struct node *n)
         fprintf(f, ": 0x%zx", (size_t)g->address);
     if (whole)
         print_cut(f, n, whole);
-    if (memory && n->cold->failed_malloc)
-        fprintf(f, "\n  its memory was exhausted: malloc could not give %zu bytes", n->cold->failed_malloc);
+    if (memory)
+        refusal_print(f, n);
 }
 
 /* Does the function at pc keep a frame? GCC gives none to a function that only computes; then the caller's

@@ -3,7 +3,9 @@
 #include <assert.h>
 #include <stdlib.h>
 #include "guest/backtrace.h"
+
 #include "guest/libc.h"
+#include "guest/refusal.h"
 #include "kernel/hostclock.h"
 #include "lp/engine.h"
 #include "machine/crash.h"
@@ -36,13 +38,22 @@ static void show_crash(struct node *n)
     free(report);
 }
 
+/* Beside the calls, an allocation that was refused if the failure came from it. */
+static void print_calls(FILE *f, const struct node *n, uintptr_t frame)
+{
+    if (refusal_was_last(n))
+        refusal_print(f, n);
+    backtrace_print_calls(f, n, frame);
+}
+
 static void run_events(struct machine *m)
 {
     struct node_system *s = &m->sys;
     struct crash_guard *guard = crash_watch();
     crash_catch();
     overdue_begin(m);
-    s->keep_crash = crash_keep, s->crashed = show_crash, s->print_calls = backtrace_print_calls;
+    s->keep_crash = crash_keep, s->crashed = show_crash, s->print_calls = print_calls;
+    s->calls_from = backtrace_walk;
     s->refused = refused_file, s->exited = verdict_exited;
     s->schedule.look = outside_look, s->schedule.look_ctx = m;
     debug_stop_begin(s, &m->stop, &m->options.stop);

@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <stdlib.h>
 #include "files/virtual_time.h"
+#include "guest/refusal.h"
 #include "kernel/xalloc.h"
 #include "machine/waits_for.h"
 #include "machine/whereabouts.h"
@@ -11,8 +12,15 @@
 
 static char *exit_text(const struct node *n)
 {
-    return xasprintf("%s ended at %s with exit(%d)", n->cold->name,
-                     virtual_time_moment(n->stats.ended_at).text, n->exit_code);
+    char *text;
+    size_t size;
+    FILE *f = xchecked(open_memstream(&text, &size));
+    fprintf(f, "%s ended at %s with exit(%d)", n->cold->name, virtual_time_moment(n->stats.ended_at).text,
+            n->exit_code);
+    if (refusal_was_last(n))
+        refusal_print(f, n);
+    fclose(f);
+    return text;
 }
 
 /* The first is told at once: what the others wait or poll for may not come any more. (A host program is told

@@ -140,6 +140,16 @@ struct deferred_cold {
         memory[DEFERRED_MOST]; /* the program's at the call, if it has changed since the one before */
 };
 
+enum { REFUSAL_CALLS = 8 };
+
+/* guest: of the last allocation that was refused. */
+struct node_refusal {
+    size_t bytes;                     /* asked for; 0: none was refused */
+    size_t used, heap;                /* in use then, of the node's memory and of the program's heap */
+    uintptr_t returns[REFUSAL_CALLS]; /* where the calls under way return to, the innermost first */
+    int depth;
+};
+
 /* What hardly any program uses, or not for each message: in another place, so that what all use lies close
  * together. What many programs never use is made when it is used first: NULL until then. */
 struct node_cold {
@@ -152,7 +162,7 @@ struct node_cold {
     int argc;                 /* guest */
     char **argv;              /* guest: the program's, in its memory */
     char **envp;              /* as the user has given it: own_memory.h */
-    size_t failed_malloc;     /* guest: size of the last allocation refused, 0: none */
+    struct node_refusal refusal;
 };
 
 /* What a message that comes needs lies in the node's first block of the cache (prefetch.h); behind it what

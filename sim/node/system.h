@@ -90,6 +90,9 @@ struct node_system {
     void (*exited)(struct node *n);  /* at its moment: by exit with an error, and others go on */
     /* Ends the run: the program of n, which runs, used a file that the fence refuses. */
     void (*refused)(struct node *n, const struct fence_refusal *r);
+    /* Where the calls under way on the node's stack return to, from a frame upwards, at most so many; how
+     * many there are. */
+    int (*calls_from)(const struct node *n, uintptr_t frame, uintptr_t *returns, int most);
     /* the calls under way on the node's stack, from a frame upwards, a line for each */
     void (*print_calls)(FILE *f, const struct node *n, uintptr_t frame);
 };

@@ -2,10 +2,19 @@
 #include "os/memory.h"
 #include "node/system.h"
 
+static size_t system_bytes(const struct node *n)
+{
+    return n->is_host ? 0 : n->sys->cfg->system_bytes;
+}
+
+size_t node_memory_all(const struct node *n)
+{
+    return n->is_host ? n->sys->cfg->host.memory_bytes : n->sys->cfg->memory_bytes;
+}
+
 size_t node_memory_limit(const struct node *n)
 {
-    return n->is_host ? n->sys->cfg->host.memory_bytes
-                      : n->sys->cfg->memory_bytes - n->sys->cfg->system_bytes;
+    return node_memory_all(n) - system_bytes(n);
 }
 
 /* What the program takes without its heap and messages. */
@@ -17,6 +26,11 @@ static size_t memory_fixed(const struct node *n)
 size_t node_memory_used(const struct node *n)
 {
     return memory_fixed(n) + n->heap_known + n->buffered;
+}
+
+size_t node_memory_claimed(const struct node *n)
+{
+    return system_bytes(n) + memory_fixed(n) + n->heap_used + n->buffered_known;
 }
 
 void node_memory_changed(struct node *n)

@@ -9,6 +9,9 @@
  * use. */
 size_t node_memory_used(const struct node *n);
 size_t node_memory_limit(const struct node *n);
+/* The node's whole memory; and of it what an allocation finds in use, with the operating system. */
+size_t node_memory_all(const struct node *n);
+size_t node_memory_claimed(const struct node *n);
 /* Notes the high-water mark after a message has come. */
 void node_memory_changed(struct node *n);
 /* In a call: from now on messages are weighed against all of the program's heap, and, unless the call may be

@@ -10,7 +10,65 @@ run -m ipsc860 -n 2 sizes $mb10
 check "10 MB from malloc: fit a node of 16 MB" ended_with 0
 run -m ipsc860-8mb -n 2 sizes $mb10
 check "10 MB from malloc: not a node of 8 MB" ended_with 1
-check "10 MB from malloc: the report says what was short" said "memory was exhausted.*$mb10|$mb10.*memory was exhausted"
+check "10 MB from malloc: the report says what was short, where, and how much was in use" said \
+    '^  its memory was exhausted: malloc of 10,485,760 bytes was refused in main\+0x[0-9a-f]+ \(sizes.c:16\): 2\.[0-9] of 8 MB in use; --set node.memory_mb=N gives more$'
+run -m ipsc860-8mb -n 2 --engine reference sizes $mb10
+check "10 MB from malloc: the reference engine says it, too" said 'malloc of 10,485,760 bytes was refused in main'
+
+# --- refused, and noticed by the program
+cat >looks.c <<'END'
+#include <assert.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <nx.h>
+
+static char *copy(const char *text)
+{
+    return strdup(text);
+}
+
+int main(int argc, char **argv)
+{
+    char *text = memset(malloc(9000000), 'x', 8999999), *second;
+    text[8999999] = 0;
+    second = copy(text);
+    if (*argv[1] == 'e')
+        exit(second ? 0 : 3);
+    if (*argv[1] == 'a')
+        assert(second);
+    free(text);
+    crecv(1, malloc(10), -1);
+    return argc;
+}
+END
+compile_here() { "$BUILD/nxcc" -g -O2 -o looks looks.c; }
+check "a program that looks: compiled" compile_here
+run -n 1 looks exits
+check "exit(3): the report says what was refused, and by which call" said \
+    '^  its memory was exhausted: strdup of 9,000,000 bytes was refused in copy\+0x[0-9a-f]+ \(looks.c:9\): 1[0-9]\.[0-9] of 16 MB'
+run -n 1 looks asserts
+check "an assertion: so it does" said 'strdup of 9,000,000 bytes was refused'
+run -n 1 looks goes-on
+check "another error, after memory was freed: that is no cause" eval "ended_with 1 && ! said 'was refused'"
+
+cat >takes.f90 <<'END'
+program takes
+  call get(4000)
+contains
+  subroutine get(n)
+    integer n
+    real(8), allocatable :: x(:, :)
+    allocate (x(n, n))
+    x = 0
+  end subroutine
+end program
+END
+fortran() { "$BUILD/nxf77" -g -O2 -o takes takes.f90; }
+check "ALLOCATE: compiled" fortran
+run -n 1 takes
+check "ALLOCATE: the report says where, and how much was in use" said \
+    '^  its memory was exhausted: malloc of 128,000,000 bytes was refused in get.* \(takes.f90:7\): [0-9.]+ of 16 MB in use'
 
 run -m ipsc860 field
 check "a program of 9 MB: fits a node of 16 MB" ended_with 0

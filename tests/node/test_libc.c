@@ -180,7 +180,7 @@ static void memory_is_the_node_s_and_ends(void **state)
         "errno = 0; p = malloc(14000000); printf(\"%p %d\\n\", p, errno == ENOMEM);\n"
         "p = strdup(\"copy\"); printf(\"%s %s\\n\", p, strndup(p, 2)); return 0; }");
     assert_string_equal(x.text[0], "0 1\n(nil) 1\ncopy co\n");
-    assert_int_equal(x.node[0]->cold->failed_malloc, 14000000);
+    assert_int_equal(x.node[0]->cold->refusal.bytes, 14000000);
     assert_in_range(x.node[0]->stats.memory_peak, 4000000, 5000000);
     nodes_free(&x);
 }

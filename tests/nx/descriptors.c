@@ -1,6 +1,7 @@
 /* POSIX's calls on descriptors and names of files, on files of the computer: lengths, places, errors,
  * temporary names.
  * compile: -D_GNU_SOURCE
+ * again: -D_FILE_OFFSET_BITS=64
  * run: -m ipsc860 -n 3
  * run: -m paragon -n 1
  */

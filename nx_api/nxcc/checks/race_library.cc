@@ -73,6 +73,7 @@ const std::map<std::string, std::vector<race_argument>> functions = {
     {"read", {writes(1, 2)}},
     {"write", {reads(1, 2)}},
     {"qsort", {writes(0, 1, 2)}},
+    {"qsort_r", {writes(0, 1, 2)}},
     {"sscanf", {reads_string(0)}},
     {"__isoc99_sscanf", {reads_string(0)}},
     {"_gfortran_transfer_integer", {writes(1, 2)}},

@@ -1,0 +1,109 @@
+/* ftw.c - walks through a folder and those in it, in alphabetical order. */
+#define _GNU_SOURCE
+#include <errno.h>
+#include <dirent.h>
+#include <ftw.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* Either function of the program's. */
+struct walk {
+    int (*says)(const char *, const struct stat *, int);
+    int (*tells)(const char *, const struct stat *, int, struct FTW *);
+    int flags;
+    dev_t device;
+};
+
+static int tell(const struct walk *w, const char *path, const struct stat *st, int kind, struct FTW *at)
+{
+    if (w->tells)
+        return w->tells(path, st, kind, at);
+    return w->says(path, st, kind == FTW_SL || kind == FTW_SLN ? FTW_NS : kind);
+}
+
+static int look(const struct walk *w, const char *path, struct stat *st)
+{
+    int follows = !w->tells || !(w->flags & FTW_PHYS);
+    if (follows ? stat(path, st) == 0 : lstat(path, st) == 0)
+        return S_ISDIR(st->st_mode) ? FTW_D : S_ISLNK(st->st_mode) ? FTW_SL : FTW_F;
+    if (follows && lstat(path, st) == 0 && S_ISLNK(st->st_mode))
+        return FTW_SLN;
+    return FTW_NS;
+}
+
+static int visit(const struct walk *w, const char *path, struct FTW at);
+
+/* What is in a folder. */
+static int visit_entries(const struct walk *w, const char *path, DIR *d, struct FTW at)
+{
+    int answer = 0;
+    size_t length = strlen(path);
+    for (struct dirent *e; !answer && (e = readdir(d));) {
+        if (!strcmp(e->d_name, ".") || !strcmp(e->d_name, ".."))
+            continue;
+        char *inside = malloc(length + strlen(e->d_name) + 2);
+        if (!inside)
+            return -1;
+        strcpy(inside, path);
+        if (length && path[length - 1] != '/')
+            strcat(inside, "/");
+        struct FTW below = {(int)strlen(inside), at.level + 1};
+        answer = visit(w, strcat(inside, e->d_name), below);
+        free(inside);
+    }
+    return answer;
+}
+
+static int visit(const struct walk *w, const char *path, struct FTW at)
+{
+    struct stat st = {0};
+    int kind = look(w, path, &st), first = !w->tells || !(w->flags & FTW_DEPTH);
+    if (kind == FTW_NS && at.level == 0)
+        return -1;
+    if (w->tells && w->flags & FTW_MOUNT && kind != FTW_NS && at.level && st.st_dev != w->device)
+        return 0;
+    if (kind != FTW_D)
+        return tell(w, path, &st, kind, &at);
+    DIR *d = opendir(path);
+    if (!d)
+        return errno == EACCES ? tell(w, path, &st, FTW_DNR, &at) : -1;
+    int answer = first ? tell(w, path, &st, FTW_D, &at) : 0;
+    if (!answer)
+        answer = visit_entries(w, path, d, at);
+    closedir(d);
+    return answer || first ? answer : tell(w, path, &st, FTW_DP, &at);
+}
+
+static int begin(struct walk *w, const char *path)
+{
+    struct stat st;
+    const char *slash = strrchr(path, '/');
+    if (stat(path, &st) == 0)
+        w->device = st.st_dev;
+    return visit(w, path, (struct FTW){slash && slash[1] ? (int)(slash + 1 - path) : 0, 0});
+}
+
+int ftw(const char *path, int (*function)(const char *, const struct stat *, int), int descriptors)
+{
+    struct walk w = {.says = function};
+    (void)descriptors; /* a folder is read as a whole, and takes none */
+    return begin(&w, path);
+}
+
+/* FTW_CHDIR is not there: EINVAL. */
+int nftw(const char *path, int (*function)(const char *, const struct stat *, int, struct FTW *),
+         int descriptors, int flags)
+{
+    struct walk w = {.tells = function, .flags = flags};
+    (void)descriptors;
+    if (flags & ~(FTW_PHYS | FTW_MOUNT | FTW_DEPTH)) {
+        errno = EINVAL;
+        return -1;
+    }
+    return begin(&w, path);
+}
+
+/* By the names of headers with -D_FILE_OFFSET_BITS=64. */
+__asm__(".globl ftw64\n.set ftw64, ftw\n.globl nftw64\n.set nftw64, nftw");
