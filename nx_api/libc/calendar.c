@@ -1,6 +1,9 @@
 /* calendar.c - the calendar of the C library, whose answers lie in memory of the program's own. The time
  * zone is UTC. */
+#define _GNU_SOURCE
 #include <stdio.h>
+#include <sys/time.h>
+#include <sys/timeb.h>
 #include <time.h>
 
 char *tzname[2] = {"UTC", "UTC"};
@@ -33,6 +36,28 @@ time_t mktime(struct tm *tm)
     if (tm->tm_isdst > 0)
         tm->tm_hour--;
     return timegm(tm);
+}
+
+time_t timelocal(struct tm *tm)
+{
+    return mktime(tm);
+}
+
+int ftime(struct timeb *t)
+{
+    struct timeval now;
+    gettimeofday(&now, NULL);
+    *t = (struct timeb){.time = (time_t)now.tv_sec, .millitm = (unsigned short)(now.tv_usec / 1000)};
+    return 0;
+}
+
+/* Times are told to the nanosecond. */
+int clock_getres(clockid_t clock, struct timespec *least)
+{
+    (void)clock;
+    if (least)
+        *least = (struct timespec){.tv_nsec = 1};
+    return 0;
 }
 
 char *asctime(const struct tm *tm)

@@ -2,8 +2,10 @@
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
+#include <sys/time.h>
 #include <sys/uio.h>
 #include <unistd.h>
+#include <utime.h>
 
 int truncate(const char *path, off_t bytes)
 {
@@ -14,6 +16,16 @@ int truncate(const char *path, off_t bytes)
     close(fd);
     errno = why;
     return answer;
+}
+
+int utime(const char *path, const struct utimbuf *to)
+{
+    struct timeval times[2] = {0};
+    if (!to)
+        return utimes(path, NULL);
+    times[0].tv_sec = to->actime;
+    times[1].tv_sec = to->modtime;
+    return utimes(path, times);
 }
 
 int fdatasync(int fd)

@@ -1,9 +1,11 @@
 /* names.c - names of temporary files, of the terminal and its user, in memory of the program's own. */
+#define _GNU_SOURCE
 #include <errno.h>
 #include <pwd.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 /* Other ones on each node, and the same in each run unless they are taken. mktemp makes them, so that the
@@ -16,6 +18,23 @@ char *tmpnam(char to[L_tmpnam])
     snprintf(name, sizeof name, P_tmpdir "/nx%03dXXXXXX", count++ % 1000);
     mktemp(name);
     return *name ? strcpy(to ? to : own, name) : NULL;
+}
+
+/* In the folder that the program names: of others it need not know, as it may not write there. */
+char *tempnam(const char *folder, const char *begin)
+{
+    char *name;
+    if (asprintf(&name, "%s/%.5sXXXXXX", folder ? folder : P_tmpdir, begin ? begin : "file") < 0)
+        return NULL;
+    if (*mktemp(name))
+        return name;
+    free(name);
+    return NULL;
+}
+
+char *mkdtemp(char *pattern)
+{
+    return *mktemp(pattern) && mkdir(pattern, 0700) == 0 ? pattern : NULL;
 }
 
 #ifndef L_cuserid

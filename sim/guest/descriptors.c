@@ -334,6 +334,16 @@ int node_lstat(const char *path, struct stat *st)
     return file_lstat(node_self(), path, st);
 }
 
+int node_chmod(const char *path, mode_t permissions)
+{
+    return file_chmod(node_self(), path, permissions);
+}
+
+int node_utimes(const char *path, const struct timeval times[2])
+{
+    return file_utimes(node_self(), path, times);
+}
+
 ssize_t node_readlink(const char *path, char *buf, size_t size)
 {
     return file_readlink(node_self(), path, buf, size);

@@ -96,13 +96,23 @@ struct fence_refusal fence_refusal(const struct fence *f)
 
 /* --- looking up --- */
 
+/* The name that the kernel has for an open descriptor, also for one that only names a file. */
+struct own_name {
+    char text[64];
+};
+
+static struct own_name name_of(int fd)
+{
+    struct own_name n;
+    snprintf(n.text, sizeof n.text, "/proc/self/fd/%d", fd);
+    return n;
+}
+
 /* The path of the file open as fd. A name that the kernel does not know, as that of a pipe, is no absolute
  * path, and so outside of each fence. */
 static bool path_of(int fd, char path[PATH_MAX])
 {
-    char link[64];
-    snprintf(link, sizeof link, "/proc/self/fd/%d", fd);
-    ssize_t n = readlink(link, path, PATH_MAX - 1);
+    ssize_t n = readlink(name_of(fd).text, path, PATH_MAX - 1);
     if (n < 0)
         return false;
     path[n] = 0;
@@ -202,7 +212,6 @@ static enum use use_of(int flags)
 /* Opens a file that has been looked up. */
 static int open_found(int fd, int flags)
 {
-    char link[64];
     struct stat st;
     if ((flags & O_CREAT) && (flags & O_EXCL)) {
         errno = EEXIST;
@@ -212,8 +221,7 @@ static int open_found(int fd, int flags)
         errno = ELOOP; /* the program asked for no link */
         return -1;
     }
-    snprintf(link, sizeof link, "/proc/self/fd/%d", fd);
-    return open(link, flags & ~(O_CREAT | O_NOFOLLOW));
+    return open(name_of(fd).text, flags & ~(O_CREAT | O_NOFOLLOW));
 }
 
 int fence_open(struct fence *f, const char *path, int flags, mode_t permissions)
@@ -285,6 +293,22 @@ ssize_t fence_readlink(struct fence *f, const char *path, char *buf, size_t size
         return closed(fd, (int)readlinkat(fd, "", buf, size));
     errno = EINVAL;
     return closed(fd, -1);
+}
+
+int fence_chmod(struct fence *f, const char *path, mode_t permissions)
+{
+    if (!f)
+        return chmod(path, permissions);
+    int fd = look_up(f, path, 0, WRITES);
+    return fd < 0 ? fd : closed(fd, chmod(name_of(fd).text, permissions));
+}
+
+int fence_utimes(struct fence *f, const char *path, const struct timeval times[2])
+{
+    if (!f)
+        return utimes(path, times);
+    int fd = look_up(f, path, 0, WRITES);
+    return fd < 0 ? fd : closed(fd, utimes(name_of(fd).text, times));
 }
 
 static int remove_at(struct fence *f, const char *path, int flags)

@@ -10,6 +10,7 @@
 #define GUEST_FENCE_H
 #include <stdbool.h>
 #include <sys/stat.h>
+#include <sys/time.h>
 #include <sys/types.h>
 
 struct fence;
@@ -32,6 +33,8 @@ int fence_open_temporary(struct fence *f, const char *path, int flags);
 int fence_stat(struct fence *f, const char *path, struct stat *st);
 int fence_lstat(struct fence *f, const char *path, struct stat *st);
 ssize_t fence_readlink(struct fence *f, const char *path, char *buf, size_t size);
+int fence_chmod(struct fence *f, const char *path, mode_t permissions);
+int fence_utimes(struct fence *f, const char *path, const struct timeval times[2]);
 int fence_unlink(struct fence *f, const char *path);
 int fence_mkdir(struct fence *f, const char *path, mode_t permissions);
 int fence_rmdir(struct fence *f, const char *path);

@@ -364,6 +364,32 @@ char *file_names(struct node *n, const char *path)
     return names;
 }
 
+static int only_look(struct node *n, const char *path)
+{
+    struct stat st;
+    return file_stat(n, path, &st);
+}
+
+int file_chmod(struct node *n, const char *path, mode_t permissions)
+{
+    path = folder_path(n, path, 0);
+    if (file_is_simulated(path))
+        return only_look(n, path);
+    node_order(n);
+    note_host_file(n->sys, path);
+    return host_answer(n, fence_chmod(n->sys->fence, path, permissions));
+}
+
+int file_utimes(struct node *n, const char *path, const struct timeval times[2])
+{
+    path = folder_path(n, path, 0);
+    if (file_is_simulated(path))
+        return only_look(n, path);
+    node_order(n);
+    note_host_file(n->sys, path);
+    return host_answer(n, fence_utimes(n->sys->fence, path, times));
+}
+
 int file_unlink(struct node *n, const char *path)
 {
     path = folder_path(n, path, 0);

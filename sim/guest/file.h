@@ -16,6 +16,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include <sys/stat.h>
+#include <sys/time.h>
 #include <sys/types.h>
 
 struct node;
@@ -76,6 +77,9 @@ int file_lstat(struct node *n, const char *path, struct stat *st);
 ssize_t file_readlink(struct node *n, const char *path, char *buf, size_t size);
 /* The names in a folder, for free(): folder_names.h. */
 char *file_names(struct node *n, const char *path);
+/* In the machine's file system they change nothing: it has no permissions and no dates. */
+int file_chmod(struct node *n, const char *path, mode_t permissions);
+int file_utimes(struct node *n, const char *path, const struct timeval times[2]);
 int file_unlink(struct node *n, const char *path);
 int file_rename(struct node *n, const char *from, const char *to);
 int file_make_folder(struct node *n, const char *path, mode_t permissions);

@@ -4,6 +4,7 @@
 #include <assert.h>
 #include <ctype.h>
 #include <errno.h>
+#include <langinfo.h>
 #include <locale.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -388,6 +389,11 @@ locale_t node_newlocale(int mask, const char *name, locale_t base)
     for (size_t i = 0; i < sizeof c->locale->__names / sizeof *c->locale->__names; i++)
         c->locale->__names[i] = own_memory_text(n, "C");
     return c->locale;
+}
+
+char *node_nl_langinfo(nl_item item)
+{
+    return own_memory_text(node_self(), nl_langinfo(item));
 }
 
 locale_t node_uselocale(locale_t to)

@@ -16,8 +16,8 @@ static bool returns_pointer(const char *name)
     static const char *const names[] = {
         "popen",         "fdopendir",      "gethostbyname", "gethostbyaddr", "gethostent", "getservbyname",
         "getservbyport", "getprotobyname", "getpwent",      "getgrnam",      "getgrgid",   "getpass",
-        "dlopen",        "dlsym",          "dlerror",       "inet_ntoa",     "tempnam",    "crypt",
-        "setmntent",     "getmntent",      "fopencookie",   "nl_langinfo"};
+        "dlopen",        "dlsym",          "dlerror",       "inet_ntoa",     "crypt",      "setmntent",
+        "getmntent",     "fopencookie",    "inet_ntop"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(name, names[i]) == 0)
             return true;

@@ -140,6 +140,15 @@ size_t node_strftime(char *buf, size_t room, const char *format, const struct tm
     return len;
 }
 
+/* But GNU's %s, which would make a time of the host's zone: there it ends. */
+char *node_strptime(const char *text, const char *format, struct tm *tm)
+{
+    for (const char *at = format; (at = strchr(at, '%')) != NULL && at[1] != 0; at += 2)
+        if (at[1] == 's')
+            return NULL;
+    return strptime(text, format, tm);
+}
+
 /* The zone's name is the node's own, too. */
 struct tm *node_gmtime_r(const time_t *t, struct tm *tm)
 {

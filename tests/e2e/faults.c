@@ -1,4 +1,6 @@
 /* faults.c - faults HOW: the last node goes wrong in one way; the others wait for it. */
+#define _GNU_SOURCE
+#include <fenv.h>
 #include <setjmp.h>
 #include <signal.h>
 #include <stdio.h>
@@ -144,6 +146,10 @@ int main(int argc, char **argv)
         return divide(7, zero);
     if (!strncmp(how, "float_", 6))
         unmask();
+    if (!strcmp(how, "enabled_divide")) {
+        feenableexcept(FE_DIVBYZERO);
+        large = large / nought;
+    }
     if (!strcmp(how, "float_divide"))
         large = large / nought;
     if (!strcmp(how, "float_overflow"))

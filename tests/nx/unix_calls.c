@@ -8,6 +8,8 @@
 #include <errno.h>
 #include <error.h>
 #include <fcntl.h>
+#include <fenv.h>
+#include <langinfo.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -15,7 +17,11 @@
 #include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/select.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
+#include <utime.h>
 #include "rule.h"
 
 static int growing(void)
@@ -142,6 +148,33 @@ static int warnings(void)
     return good && close(file) == 0 && close(before) == 0 && unlink(name) == 0;
 }
 
+static int kin(void)
+{
+    char name[60], folder[60], *options = name, *value, state[64];
+    char *const known[] = {"ro", "size", NULL};
+    struct stat st;
+    struct tm tm = {0};
+    struct random_data random = {0};
+    volatile size_t many = (size_t)-1;
+    int32_t a, b;
+    snprintf(name, sizeof name, "unix_calls.kin%ld", mynode());
+    int good = close(creat(name, 0600)) == 0 && chmod(name, 0640) == 0 && stat(name, &st) == 0;
+    good = good && (st.st_mode & 07777) == 0640 && truncate(name, 77) == 0;
+    good = good && utime(name, &(struct utimbuf){1000, 2000}) == 0 && stat(name, &st) == 0;
+    good = good && st.st_mtime == 2000 && st.st_size == 77 && unlink(name) == 0 && chmod(name, 0600) == -1;
+    snprintf(folder, sizeof folder, "unix_calls.%ld.XXXXXX", mynode());
+    good = good && mkdtemp(folder) == folder && rmdir(folder) == 0 && wait(NULL) == -1 && errno == ECHILD;
+    strcpy(name, "size=7,ro");
+    good = good && getsubopt(&options, known, &value) == 1 && !strcmp(value, "7");
+    good = good && strptime("1993-03-02", "%Y-%m-%d", &tm) && tm.tm_yday == 60 && !strptime("5", "%s", &tm);
+    good = good && !strcmp(nl_langinfo(RADIXCHAR), ".") && !strcmp(basename("a/b"), "b");
+    initstate_r(5, state, sizeof state, &random);
+    random_r(&random, &a);
+    srandom_r(5, &random);
+    random_r(&random, &b);
+    return good && a == b && fegetexcept() == 0 && reallocarray(NULL, many, 3) == NULL;
+}
+
 int main(int argc, char **argv)
 {
     const char *slash = strrchr(argv[0], '/');
@@ -152,6 +185,7 @@ int main(int argc, char **argv)
     rule("locks", locks());
     rule("limits", limits());
     rule("warn, warnx, error", warnings());
+    rule("others", kin());
     rule("the program's name", !strcmp(program_invocation_name, argv[0]) &&
                                    !strcmp(program_invocation_short_name, slash ? slash + 1 : argv[0]) &&
                                    argc == 1);

@@ -70,9 +70,11 @@ def check_study(b):
         {n: 1, kind: 'some', t: 1}, {n: 1, kind: 'all', t: 1}, {n: 2, kind: 'all', t: 1}]}, {x: 'n', y: 't', lines: ''})""")
     rule("study: other axes are held where most points are", held == {"kind": 2}, held)
     rule("study: linear or logarithmic", ticks() != logarithmic)
-    few = b.run("return [[0.5, 3], [1, 100], [1, 1e9]].map(range => ticksOf(d3.scaleLog().domain(range), true, 6))")
-    rule("study: a logarithmic axis has ticks also within a decade", len(few[0]) > 4 and few[1:] == [
-        [1, 2, 5, 10, 20, 50, 100], [10 ** i for i in range(10)]], few)
+    few = b.run("""return [[0.57, 2.8], [0.5, 5], [5.5, 8.9], [1, 100], [1, 1e9]].map(range =>
+        ticksOf(d3.scaleLog().domain(range).range([244, 0]), true, 6, 16).map(t => Number(t.toPrecision(3))))""")
+    rule("study: a logarithmic axis has ticks also within a decade, and never 0.9 for 1", few[:2] == [
+        [0.6, 0.7, 0.8, 0.9, 1, 2], [0.5, 0.6, 0.8, 1, 2, 3, 4, 5]] and len(few[2]) > 2 and few[3:] == [
+            [1, 2, 5, 10, 20, 50, 100], [10 ** i for i in range(10)]], few)
     chart = s.find_element(By.CSS_SELECTOR, "figure svg")
     b.run("arguments[0].focus()", chart)
     chart.send_keys(Keys.ARROW_RIGHT)

@@ -94,15 +94,20 @@ function makeScale(values, log, zero, range) {
     return (log ? d3.scaleLog() : d3.scaleLinear()).domain(extent(values, log, zero)).range(range);
 }
 
-/* Ticks of a scale that have room: of a logarithmic one the most of all, 1, 2, 5 a decade, and the powers. */
-function ticksOf(scale, log, count) {
+/* Digits of a decade that get a tick, from many to few. */
+const DIGITS = [[1, 2, 3, 4, 5, 6, 7, 8, 9], [1, 2, 3, 4, 5, 6, 8], [1, 2, 3, 5, 7], [1, 2, 5], [1]];
+
+/* Ticks of a scale, about so many. Of a logarithmic one the most digits that leave so many pixels between
+ * labels: 1 must not give way to 0.9. */
+function ticksOf(scale, log, count, least) {
     if (!log)
         return scale.ticks(count);
     const all = scale.ticks(10), leading = t => Math.round(t / 10 ** Math.floor(Math.log10(t) + 1e-9));
     if (!all.length)
         return scale.domain();
-    const some = all.filter(t => [1, 2, 5].includes(leading(t)));
-    return [all, some].find(ticks => ticks.length <= count * 1.6) || all.filter(t => leading(t) === 1);
+    const sets = DIGITS.map(digits => all.filter(t => digits.includes(leading(t))));
+    const fits = ticks => ticks.length <= count * 1.6 && apart(ticks, scale, least).length === ticks.length;
+    return sets.find(fits) || apart(sets.at(-1).length ? sets.at(-1) : all, scale, least);
 }
 
 /* Which of the ticks leave so many pixels to the label before. */
@@ -155,9 +160,9 @@ function padded([least, most]) {
 function axes(o, x, y, width, height, margin) {
     const g = svgElement('g', {'aria-hidden': 'true'}), grid = svgElement('g', {class: 'grid'});
     const across = apart(o.ticksX ? o.ticksX.filter(t => t >= x.domain()[0] && t <= x.domain()[1])
-                                  : ticksOf(x, o.logX, width / 90),
+                                  : ticksOf(x, o.logX, width / 90, 34),
         x, 34);
-    for (const t of apart(ticksOf(y, o.logY, height / 50), y, 16)) {
+    for (const t of ticksOf(y, o.logY, height / 50, 16)) {
         grid.append(svgElement('line', {x1: margin.left, x2: width - margin.right, y1: y(t), y2: y(t)}));
         g.append(svgElement('text', {x: margin.left - 8, y: y(t) + 4, 'text-anchor': 'end'}, axisNumber(t)));
     }
