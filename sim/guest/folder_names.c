@@ -20,7 +20,7 @@ static unsigned char kind_of(int folder, const struct dirent *e)
     struct stat st;
     if (e->d_type != DT_UNKNOWN || fstatat(folder, e->d_name, &st, AT_SYMLINK_NOFOLLOW) != 0)
         return e->d_type;
-    return IFTODT(st.st_mode);
+    return (unsigned char)IFTODT(st.st_mode);
 }
 
 static void add(struct list *l, unsigned char kind, const char *name)

@@ -12,14 +12,21 @@
 
 static char *exit_text(const struct node *n)
 {
-    char *text;
+    return xasprintf("%s ended at %s with exit(%d)", n->cold->name,
+                     virtual_time_moment(n->stats.ended_at).text, n->exit_code);
+}
+
+/* With what it was refused before, if that may be why. */
+static char *exit_report(const struct node *n)
+{
+    char *text, *end = exit_text(n);
     size_t size;
     FILE *f = xchecked(open_memstream(&text, &size));
-    fprintf(f, "%s ended at %s with exit(%d)", n->cold->name, virtual_time_moment(n->stats.ended_at).text,
-            n->exit_code);
+    fprintf(f, "%s", end);
     if (refusal_was_last(n))
         refusal_print(f, n);
     fclose(f);
+    free(end);
     return text;
 }
 
@@ -31,7 +38,7 @@ void verdict_exited(struct node *n)
     if (s->host || s->exit_told)
         return;
     s->exit_told = true;
-    char *text = exit_text(n);
+    char *text = exit_report(n);
     if (s->progress)
         progress_line_clear(s->progress);
     fflush(s->out[0]);
@@ -62,7 +69,7 @@ static void failed_by_exit(struct machine *m, const struct node *bad)
     bool host_ended = s->host && s->host->lp.state == LP_ENDED;
     m->outcome = MACHINE_FAILED;
     if (!s->running)
-        m->message = xstrdup(first), m->said = s->exit_told;
+        m->message = exit_report(bad), m->said = s->exit_told;
     else if (s->schedule.stop || host_ended)
         m->message = whereabouts(s, first);
     else
