@@ -65,7 +65,7 @@ check "a TMPDIR that is not there: said, with what to do" \
     said '^touchstone study: no folder can be made in TMPDIR=/nowhere: No such file.*; set TMPDIR to a folder that you can write to$'
 study many.cfg -o killed
 check "in the end all is there" ended_with 0
-check "it says what was there before" grep -qE '^[0-9]+ points run, [0-9]+ in killed/journal before, 0 from the cache; 0 of 42 points failed$' out
+check "it says what was there before" grep -qE '^[0-9]+ points run, [0-9]+ in killed/journal before, 0 from the cache$' out
 check "each point has one result" test "$(cut -d' ' -f2 killed/journal | sort | uniq -d)" = "" -a "$(results killed)" = 42
 check "no point ran twice but those that were running when it was killed" test "$(lines)" -ge 42 -a "$(lines)" -le 48
 check "that the program uses a file is told" grep -q 'runs.log, which is not among' err
@@ -140,7 +140,7 @@ sed 's/-log 1/-log 0/; s/to = 15/to = 5/' many.cfg >pure.cfg
 study pure.cfg -o pure
 check "points are run" grep -q '^15 points run' out
 study pure.cfg -o pure2
-check "once for all folders" grep -qE '^0 points run, 0 in pure2/journal before, 15 from the cache; 0 of' out
+check "once for all folders" grep -qE '^0 points run, 0 in pure2/journal before, 15 from the cache$' out
 check "with the same results" cmp <(grep -v wall_time pure/results.json) <(grep -v wall_time pure2/results.json)
 entry=$(find cache -type f | head -1)
 sed -i 's/"x":/"y":/' "$entry"
@@ -150,4 +150,4 @@ check "and its point run again" grep -qE '^1 point run, 0 in pure3/journal befor
 study pure.cfg -o pure4
 check "and kept again" grep -qE '^0 points run, .* 15 from the cache' out
 study pure.cfg -o pure5 --no-cache
-check "it can be left alone" grep -qE '^15 points run, 0 in pure5/journal before; 0 of' out
+check "it can be left alone" grep -qE '^15 points run, 0 in pure5/journal before$' out
