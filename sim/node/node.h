@@ -140,6 +140,8 @@ struct deferred_cold {
         memory[DEFERRED_MOST]; /* the program's at the call, if it has changed since the one before */
 };
 
+enum { NODE_EXIT_CALLS = 6 };
+
 /* What hardly any program uses, or not for each message: in another place, so that what all use lies close
  * together. What many programs never use is made when it is used first: NULL until then. */
 struct node_cold {
@@ -153,6 +155,10 @@ struct node_cold {
     char **argv;              /* guest: the program's, in its memory */
     char **envp;              /* as the user has given it: own_memory.h */
     size_t failed_malloc;     /* guest: size of the last allocation refused, 0: none */
+
+    /* machine: where the calls under way return when the program has called exit, the innermost first; a 0
+     * ends them early */
+    uintptr_t exit_calls[NODE_EXIT_CALLS];
 };
 
 /* What a message that comes needs lies in the node's first block of the cache (prefetch.h); behind it what
