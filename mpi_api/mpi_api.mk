@@ -11,7 +11,7 @@ $(MPI_LIB_OBJ): $(NODE)/obj/mpi_api/%.o: mpi_api/%.c $(MPI_LIB_HDR) $(NODE_TOOLS
 	@mkdir -p $(@D)
 	$(call say,NXCC,$@)
 	$(NODES)/nxcc -std=gnu17 -O2 $(NODE_CODE_FLAGS) $(PREFIX_MAP) $(WARN) -I. -Impi_api/include -c -o $@ $<
-	objcopy -R .nxc_costs $@
+	objcopy -R .nxc_costs -R .nxc_calls $@
 
 $(MPI_TELL): mpi_api/lib/tell.S
 	@mkdir -p $(@D)

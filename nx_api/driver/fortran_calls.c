@@ -21,28 +21,61 @@ static bool is_own(const char *records, const char *name)
     return at != NULL;
 }
 
-/* Reports the call of a line. False: the line is of another kind, or the call is right. */
-static bool report(const char *records, const char *line)
-{
+/* A call that is wrong. */
+struct call {
     char name[64];
-    int takes, gives, place = 0;
-    if (sscanf(line, "c %63s %d %d %n", name, &takes, &gives, &place) < 3 || !place || is_own(records, name))
+    int takes, gives, file_length, line;
+    const char *place; /* "few.f:4\n", in the records */
+};
+
+/* False: the record is of another kind, or the call is right. */
+static bool is_wrong(const char *records, const char *record, struct call *c)
+{
+    int place = 0;
+    if (sscanf(record, "c %63s %d %d %n", c->name, &c->takes, &c->gives, &place) < 3 || !place ||
+        is_own(records, c->name))
         return false;
-    fprintf(stderr, "%s: %s takes %d argument%s, here %s %d: %.*s\n", program_invocation_short_name, name,
-            takes, takes == 1 ? "" : "s", gives == 1 ? "is" : "are", gives, (int)strcspn(line + place, "\n"),
-            line + place);
+    c->place = record + place;
+    c->file_length = (int)strcspn(c->place, ":\n");
+    c->line = atoi(c->place + c->file_length + strspn(c->place + c->file_length, ":"));
     return true;
+}
+
+/* In the order of the source. */
+static int compare(const void *left, const void *right)
+{
+    const struct call *a = left, *b = right;
+    int shorter = a->file_length < b->file_length ? a->file_length : b->file_length;
+    int order = strncmp(a->place, b->place, (size_t)shorter + 1);
+    return order ? order : a->line != b->line ? a->line - b->line : strcmp(a->name, b->name);
+}
+
+static void report(const struct call *c)
+{
+    fprintf(stderr, "%s: %s takes %d argument%s, here %s %d: %.*s\n", program_invocation_short_name, c->name,
+            c->takes, c->takes == 1 ? "" : "s", c->gives == 1 ? "is" : "are", c->gives,
+            (int)strcspn(c->place, "\n"), c->place);
 }
 
 void fortran_calls_check(const char *program)
 {
-    size_t size;
-    int wrong = 0;
+    size_t size, wrong = 0;
     struct elf_file f = elf_read(program);
     const char *section = elf_section(&f, ".nxc_calls", &size);
     char *records = section ? text("%.*s", (int)size, section) : NULL;
-    for (const char *line = records; line && *line; line += strcspn(line, "\n") + 1)
-        wrong += report(records, line);
+    struct call *calls = NULL, one;
+    for (const char *record = records; record && *record; record += strcspn(record, "\n") + 1)
+        if (is_wrong(records, record, &one)) {
+            calls = reallocarray(calls, wrong + 1, sizeof *calls);
+            if (!calls)
+                fail("out of memory");
+            calls[wrong++] = one;
+        }
+    if (wrong)
+        qsort(calls, wrong, sizeof *calls, compare);
+    for (size_t i = 0; i < wrong; i++)
+        report(&calls[i]);
+    free(calls);
     free(records);
     elf_forget(&f);
     if (!wrong)

@@ -1,4 +1,4 @@
-/* fortran_calls.h - the check of whether calls of NX in Fortran have as many arguments as NX's. */
+/* fortran_calls.h - the check of whether calls of NX and MPI in Fortran have as many arguments as theirs. */
 #ifndef DRIVER_FORTRAN_CALLS_H
 #define DRIVER_FORTRAN_CALLS_H
 

@@ -70,11 +70,11 @@ $(PLUGIN_FOLDED):
 
 -include $(PLUGIN_OBJ:.o=.d) $(PLUGIN_HDR).d
 
-# How many arguments the NX calls of Fortran programs have.
+# How many arguments the calls of NX and MPI of Fortran programs have.
 FORTRAN_CALLS := $(NODES)/obj/nx_api/nxcc/language/fortran_calls.inc
-$(FORTRAN_CALLS): nx_api/nxcc/language/fortran-calls $(wildcard nx_api/fortran/* nx_api/common/*.def)
+$(FORTRAN_CALLS): nx_api/nxcc/language/fortran-calls $(wildcard nx_api/fortran/* nx_api/common/*.def mpi_api/*/*)
 	@mkdir -p $(@D)
-	$< $(NODE_CC) $(wildcard nx_api/fortran/*.c nx_api/fortran/*.f90) >$@.new && mv $@.new $@
+	$< $(NODE_CC) $(wildcard nx_api/fortran/*.c nx_api/fortran/*.f90 mpi_api/fortran/*.c) >$@.new && mv $@.new $@
 $(NODES)/obj/nx_api/nxcc/language/argument_counts.o: $(FORTRAN_CALLS)
 
 $(NODE)/count.so: $(PLUGIN_OBJ)

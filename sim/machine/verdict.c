@@ -3,7 +3,9 @@
 #include <assert.h>
 #include <stdlib.h>
 #include "files/virtual_time.h"
+#include "guest/backtrace.h"
 #include "guest/refusal.h"
+#include "kernel/crossing.h"
 #include "kernel/xalloc.h"
 #include "machine/waits_for.h"
 #include "machine/whereabouts.h"
@@ -12,8 +14,22 @@
 
 static char *exit_text(const struct node *n)
 {
-    return xasprintf("%s ended at %s with exit(%d)", n->cold->name,
-                     virtual_time_moment(n->stats.ended_at).text, n->exit_code);
+    struct backtrace_lines *lines = backtrace_lines_new();
+    const char *line = backtrace_line_of(lines, n, n->cold->exit_calls, NODE_EXIT_CALLS);
+    char *text = xasprintf("%s ended at %s with exit(%d)%s%s%s", n->cold->name,
+                           virtual_time_moment(n->stats.ended_at).text, n->exit_code, line ? " (" : "",
+                           line ? line : "", line ? ")" : "");
+    backtrace_lines_free(lines);
+    return text;
+}
+
+/* For reports, which name the line. */
+static void note_calls(struct node *n)
+{
+    uintptr_t *calls = n->cold->exit_calls;
+    int depth = backtrace_walk(n, (uintptr_t)crossing_frame(), calls, NODE_EXIT_CALLS);
+    if (depth < NODE_EXIT_CALLS)
+        calls[depth] = 0;
 }
 
 /* With what it was refused before, if that may be why. */
@@ -35,7 +51,8 @@ static char *exit_report(const struct node *n)
 void verdict_exited(struct node *n)
 {
     struct node_system *s = n->sys;
-    if (s->host || s->exit_told)
+    note_calls(n);
+    if (s->host || s->exit_told || !s->running)
         return;
     s->exit_told = true;
     char *text = exit_report(n);

@@ -5,6 +5,6 @@
 
 /* Sets m->outcome and m->message, when no program of m runs any more. */
 void verdict(struct machine *m);
-/* Tells the user that a program has ended by exit with an error while others go on. */
+/* Notes where a program has ended by exit with an error, and tells the user if others go on. */
 void verdict_exited(struct node *n);
 #endif

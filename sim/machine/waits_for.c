@@ -216,6 +216,9 @@ static void fill(const struct filling *f, const struct node *n, struct waitfor_n
         to->state = WAITFOR_ENDED;
         to->since_ps = n->stats.ended_at;
         to->exit_status = node_exited_badly(n) ? n->exit_code : 0;
+        if (to->exit_status)
+            to->line =
+                waitfor_text(f->w, backtrace_line_of(f->lines, n, n->cold->exit_calls, NODE_EXIT_CALLS));
         return;
     }
     to->state = n->call ? WAITFOR_WAITS : WAITFOR_COMPUTES;

@@ -11,6 +11,7 @@
 #include "machine/crash.h"
 #include "machine/standstill.h"
 #include "nx_api/contract/program_image.h"
+#include "nx_api/waitfor/waitfor.h"
 #include "os/end.h"
 
 /* More nodes are grouped by their states. */
@@ -55,7 +56,8 @@ static const char *line_of(const struct node *n, struct backtrace_lines *lines)
 {
     const enum stop stop = n->sys->schedule.stop;
     if (n->lp.state == LP_ENDED)
-        return NULL;
+        return node_exited_badly(n) ? backtrace_line_of(lines, n, n->cold->exit_calls, NODE_EXIT_CALLS)
+                                    : NULL;
     if (is_from_outside(stop) && n->cold->crash)
         return line_of_crash(n, lines);
     if (is_from_outside(stop) && !n->call && n->image && !fiber_frame(&n->lp.fiber) && !n->at_poll)
@@ -88,8 +90,11 @@ static struct where where_is(const struct node *n, struct backtrace_lines *lines
     } else if (n->call_since == VT_NEVER) {
         snprintf(w.text, sizeof w.text, "before %s%s", n->call, handler);
     } else {
+        const char *operation = n->awaits ? waitfor_operation(n->awaited) : NULL;
         w.timed = true;
-        if (n->call_has_type)
+        if (operation)
+            snprintf(w.text, sizeof w.text, "%s%s", operation, handler);
+        else if (n->call_has_type)
             snprintf(w.text, sizeof w.text, "%s(%ld)%s", n->call, n->call_type, handler);
         else
             snprintf(w.text, sizeof w.text, "%s%s", n->call, handler);

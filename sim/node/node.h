@@ -149,6 +149,7 @@ struct node_refusal {
     uintptr_t returns[REFUSAL_CALLS]; /* where the calls under way return to, the innermost first */
     int depth;
 };
+enum { NODE_EXIT_CALLS = 6 };
 
 /* What hardly any program uses, or not for each message: in another place, so that what all use lies close
  * together. What many programs never use is made when it is used first: NULL until then. */
@@ -163,6 +164,9 @@ struct node_cold {
     char **argv;              /* guest: the program's, in its memory */
     char **envp;              /* as the user has given it: own_memory.h */
     struct node_refusal refusal;
+    /* machine: where the calls under way return when the program has called exit, the innermost first; a 0
+     * ends them early */
+    uintptr_t exit_calls[NODE_EXIT_CALLS];
 };
 
 /* What a message that comes needs lies in the node's first block of the cache (prefetch.h); behind it what

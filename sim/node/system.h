@@ -87,7 +87,7 @@ struct node_system {
     /* At a limit of virtual time: true if that does not end the run. */
     bool (*pauses)(struct node_system *s);
     void (*crashed)(struct node *n); /* at its moment: reports its crash */
-    void (*exited)(struct node *n);  /* at its moment: by exit with an error, and others go on */
+    void (*exited)(struct node *n);  /* at its moment: by exit with an error */
     /* Ends the run: the program of n, which runs, used a file that the fence refuses. */
     void (*refused)(struct node *n, const struct fence_refusal *r);
     /* Where the calls under way on the node's stack return to, from a frame upwards, at most so many; how

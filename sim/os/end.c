@@ -31,7 +31,7 @@ _Noreturn void node_end_here(struct node *n, enum node_end how, int code)
     if (!n->sys->schedule.stop)
         node_order(n);
     has_ended(n, how, code, node_now(n));
-    if (node_exited_badly(n) && n->sys->running && n->sys->exited)
+    if (node_exited_badly(n) && n->sys->exited)
         n->sys->exited(n);
     assert(charge_adds_up(n));
     fiber_finish(&n->lp.fiber);

@@ -19,7 +19,7 @@ check "crash: backtrace goes up to its callers" said 'ask_for_it.*crash\.c'
 
 run -n 3 quits
 check "exit(3) in a node: exit status 1" ended_with 1
-check "exit(3) in a node: it is named" said 'node 1 ended at .* with exit\(3\)'
+check "exit(3) in a node: it is named" said 'node 1 ended at .* with exit\(3\) \(quits\.c:9\)$'
 check "exit(3) in a node: once, if nothing waits for it" test "$(grep -c 'exit(3)' err)" = 1
 check "exit(3) in a node: the others go on" test "$(cat out)" = "$(printf 'node 0 is done\nnode 2 is done')"
 

@@ -38,7 +38,7 @@ fault raise 1 'node 1, at [0-9.]+ [mun]?s: raise: signal 10 .*ends a program: no
 fault caught 1 'node 1, at [0-9.]+ [mun]?s: raise: signal 10 .*ends a program: nodes have no signal handlers'
 fault caught_fault 1 'node 1 crashed .*: 0x8, a member of a null pointer' '^  in .*faults.c:'
 check "a handler of SIGSEGV is not called" bash -c '! grep -q caught out'
-fault handler_exit 1 'node 1 ended at [0-9.]+ [mun]?s with exit\(4\)'
+fault handler_exit 1 'node 1 ended at [0-9.]+ [mun]?s with exit\(4\) \(faults\.c:[0-9]+\)'
 check "handler_exit: the handler's output" grep -q 'the handler exits' out
 fault handler_crash 1 'node 1 crashed .*: 0x8, a member of a null pointer' '^  in crashes.*faults.c:'
 fault handler_jump 0

@@ -31,7 +31,7 @@ stops() { nxf77 "-DSTOP=$1" -o stops "$f/stops.F"; }
 check "STOP 3: compiles, preprocessed" stops "stop 3"
 run -n 2 stops
 check "STOP 3: exit status 1" ended_with 1
-check "STOP 3: node and time" said '^touchstone run: node 1 ended at [0-9.]+ [mun]?s with exit\(3\)'
+check "STOP 3: node and time" said '^touchstone run: node 1 ended at [0-9.]+ [mun]?s with exit\(3\) \('
 check "STOP 3: what gfortran prints" said '^STOP 3$'
 stops "stop"
 run -n 2 stops
@@ -87,8 +87,8 @@ cat >few.f <<'END'
       end
 END
 counts() { ! nxf77 "$@" few.f && diff - compile.err; }
-expected='nxf77: crecv takes 3 arguments, here are 4: few.f:12
-nxf77: csend takes 5 arguments, here are 4: few.f:7
+expected='nxf77: csend takes 5 arguments, here are 4: few.f:7
+nxf77: crecv takes 3 arguments, here are 4: few.f:12
 nxf77: iprobe takes 1 argument, here are 0: few.f:14'
 check "calls with too few or too many arguments are named with file, line, counts" counts -o few <<<"$expected"
 check "calls with too few or too many arguments: with --mpi" counts --mpi -o few <<<"$expected"
@@ -104,6 +104,32 @@ echo 'void gray_(char *a, char *b) { printf("%.1s%.1s\n", a, b); }' >same_c.c
 check "a program's own routines have their own arguments, in other files and in C" nxf77 -w -o same same.f same_own.f same_c.c
 run -n 1 same
 check "a program's own routines are called" prints '           4\nab\n'
+
+# --- arguments of MPI's calls: a text is one, whatever the module, and mpi_f08's ierror may be missing
+cat >few_mpi.f <<'END'
+      include 'mpif.h'
+      character*20 text(2)
+      call mpi_init(ierr)
+      call mpi_bcast(text, 40, MPI_CHARACTER, 0, MPI_COMM_WORLD)
+      call pmpi_recv(n, 1, MPI_INTEGER, 0, 0, MPI_COMM_WORLD, ierr)
+      call mpi_bcast(text(2), 20, MPI_CHARACTER, 0, MPI_COMM_WORLD, i)
+      call mpi_get_processor_name(text(1), n, ierr)
+      call mpi_pcontrol(1, 2, 3)
+      call mpi_finalize(ierr)
+      end
+END
+counts_mpi() { ! nxf77 -lmpi -o few_mpi few_mpi.f && diff - compile.err; }
+check "calls of MPI with too few arguments" counts_mpi <<'END'
+nxf77: mpi_bcast takes 6 arguments, here are 5: few_mpi.f:4
+nxf77: pmpi_recv takes 8 arguments, here are 7: few_mpi.f:5
+END
+for module in mpi mpi_f08; do
+    printf '%s\n' 'program enough' "use $module" 'character(20) text' 'call mpi_init(ierr)' \
+        'call mpi_bcast(text, 20, MPI_CHARACTER, 0, MPI_COMM_WORLD, ierr)' \
+        "$([ $module = mpi ] || echo 'call mpi_bcast(text(2:3), 2, MPI_CHARACTER, 0, MPI_COMM_WORLD)')" \
+        'call mpi_finalize(ierr)' 'end' >enough.f90
+    check "calls of MPI with enough arguments, use $module" nxf77 -lmpi -o enough enough.f90
+done
 
 # --- costs
 check "costs: compiles" "$BUILD/nxcc" -O2 -o costs "$f/costs.c" "$f/loops.f"

@@ -58,9 +58,23 @@ int main(void)
 END
 "$BUILD/nxcc" -O2 -o gives_up gives_up.c 2>compile.err || cat compile.err
 run -q -n 3 --max-virtual-time 0.2 gives_up
-check "an exit with an error is told at once" test "$(head -1 err)" = "$(grep -E '^touchstone run: node 1 ended at [0-9.]+ [mun]?s with exit\(4\)$' err)"
-check "it is in the node's line" said '^  node 1: ended with exit\(4\) at '
+check "an exit with an error is told at once" test "$(head -1 err)" = "$(grep -E '^touchstone run: node 1 ended at [0-9.]+ [mun]?s with exit\(4\) \(gives_up\.c:[0-9]+\)$' err)"
+check "it is in the node's line" said '^  node 1: ended with exit\(4\) at [0-9.]+ [mun]?s \(gives_up\.c:[0-9]+\)$'
 check "and named to those that poll for ever" said '^  nodes 0, 2 poll: .*; look at node 1 first, which ended with exit\(4\)$'
+cat >behind.c <<'END'
+#include "nx.h"
+int main(void)
+{
+    double work, x = 1;
+    for (volatile long i = 1; mynode() == 1; i++)
+        ;
+    gdsum(&x, 1, &work);
+    return 0;
+}
+END
+"$BUILD/nxcc" -O2 -o behind behind.c 2>compile.err || cat compile.err
+run -q -n 3 --max-virtual-time 0.2 behind
+check "at a limit, a node in a global operation is in the call that the program made" said '^  node 2: gdsum since [0-9.]+ [mun]?s \(behind\.c:7\)$'
 run -n 3 --max-wall-time 1 livelock iprobe
 check "a limit of wall time names them, too" said "^  nodes 1, 2 poll: .* in iprobe\\(7\\) \\(livelock.c:$(line_of iprobe)\\)"
 env --default-signal=INT "$BUILD/touchstone" run -n 3 livelock iprobe >out 2>err &

@@ -1,11 +1,12 @@
-/* argument_counts.cc - records calls of NX in Fortran that have too few or too many arguments, of which
- * Fortran itself takes no notice: in section .nxc_calls, which is not loaded, for nxcc to report when it
- * links (driver/fortran_calls.c). A record is a line, one of
+/* argument_counts.cc - records calls of NX and MPI in Fortran that have too few or too many arguments, of
+ * which Fortran itself takes no notice: in section .nxc_calls, which is not loaded, for nxcc to report when
+ * it links (driver/fortran_calls.c). A record is a line, one of
  *
  *     c NAME TAKES GIVES FILE:LINE      a call
  *     d NAME                            the file defines a routine by this name: the program's own
  *
- * Only the link tells whether a name is NX's: a program may have its routines in other files than the calls.
+ * Only the link tells whether a name is NX's or MPI's: a program may have its routines in other files than
+ * the calls.
  */
 #include "base/gcc.h"
 #include "language/argument_counts.h"
@@ -20,7 +21,7 @@ const std::map<std::string, int> calls = {
 };
 std::set<std::string> records;
 
-/* The number of arguments of an NX call; -1: the function has another name. */
+/* The number of arguments of a call of NX or MPI; -1: the function has another name. */
 int taken_by(tree function)
 {
     auto known = calls.find(IDENTIFIER_POINTER(DECL_ASSEMBLER_NAME(function)));
