@@ -1,5 +1,5 @@
-/* processes.c - what a program asks of other processes, of which a node has none, of its user and group, of
- * which there are one each, and of its processor. */
+/* processes.c - other processes, users and groups, of which a program learns that a node has one each; and
+ * its processor. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <sched.h>
