@@ -1,4 +1,4 @@
-/* ftw.c - walks through a folder and those in it, in alphabetical order. */
+/* ftw.c - the walk through a folder and those in it, in alphabetical order. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <dirent.h>

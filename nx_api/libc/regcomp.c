@@ -1,6 +1,6 @@
-/* regcomp.c - compiles regular expressions, POSIX's basic and extended ones with GNU's additions (\+ \? \|
- * in basic ones, \w \W \s \S \b \B \< \> in both), into memory of the program's own. Characters have one
- * byte. */
+/* regcomp.c - the compiler of regular expressions: POSIX's basic and extended ones with GNU's additions (\+
+ * \? \| in basic ones, \w \W \s \S \b \B \< \> in both). What is made lies in memory of the program's own.
+ * Characters have one byte. */
 #define _GNU_SOURCE
 #include <ctype.h>
 #include <limits.h>

@@ -1,5 +1,5 @@
-/* regexec.c - finds a regular expression in a text: the first place, there the longest text, and of each
- * piece from left to right the longest that this leaves, as POSIX says.
+/* regexec.c - the search for a regular expression in a text: the first place, there the longest text, and of
+ * each piece from left to right the longest that this leaves, as POSIX says.
  *
  * Where it begins and ends is found by following all ways through the steps at once, a character at a time
  * (Thompson 1968). Then the text is divided among the pieces from the root down: each is asked how far it may

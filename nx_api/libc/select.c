@@ -1,5 +1,5 @@
-/* select.c - waits for files to be ready, as BSD's select and System V's poll do. A node's files always are:
- * what reads or writes them waits itself, or finds their end. With none to wait for, the time passes. */
+/* select.c - waiting for files to be ready, as BSD's select and System V's poll do. A node's files always
+ * are: what reads or writes them waits itself, or finds their end. With none to wait for, the time passes. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>

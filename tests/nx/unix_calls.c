@@ -10,11 +10,15 @@
 #include <fcntl.h>
 #include <fenv.h>
 #include <langinfo.h>
+#include <malloc.h>
 #include <poll.h>
+#define _REGEX_RE_COMP
+#include <regex.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/select.h>
 #include <sys/stat.h>
@@ -175,6 +179,44 @@ static int kin(void)
     return good && a == b && fegetexcept() == 0 && reallocarray(NULL, many, 3) == NULL;
 }
 
+/* A copy of the file, in memory of the node's own. */
+static int mappings(void)
+{
+    char name[40], byte, *p, *q;
+    struct mallinfo before = mallinfo();
+    snprintf(name, sizeof name, "unix_calls.map%ld", mynode());
+    int fd = open(name, O_RDWR | O_CREAT | O_TRUNC, 0600), good = ftruncate(fd, 5000) == 0;
+    good = good && pwrite(fd, "first", 5, 0) == 5 && pwrite(fd, "second", 6, 4096) == 6;
+    p = mmap(NULL, 5000, PROT_READ | PROT_WRITE, MAP_PRIVATE, fd, 0);
+    q = mmap(NULL, 100, PROT_READ, MAP_SHARED, fd, 4096);
+    good = good && p != MAP_FAILED && !strcmp(p, "first") && !strcmp(q, "second") && p[5001] == 0;
+    p[0] = 'F';
+    good = good && (long)p % 4096 == 0 && pread(fd, &byte, 1, 0) == 1 && byte == 'f';
+    good =
+        good && munmap(p, 4096) == -1 && munmap(p, 5000) == 0 && munmap(q, 100) == 0 && munmap(q, 100) == -1;
+    p = mmap(NULL, 100, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    good = good && p != MAP_FAILED && p[0] == 0 && p[99] == 0 && munmap(p, 100) == 0;
+    errno = 0;
+    good = good && mmap(NULL, 9, PROT_WRITE, MAP_SHARED, fd, 0) == MAP_FAILED && errno == ENODEV;
+    good = good && mmap(NULL, 9, PROT_READ, MAP_PRIVATE, 60, 0) == MAP_FAILED && errno == EBADF;
+    return good && close(fd) == 0 && unlink(name) == 0 && mallinfo().uordblks == before.uordblks;
+}
+
+static int users(void)
+{
+    gid_t group;
+    errno = 0;
+    return setuid(getuid()) == 0 && setuid(0) == -1 && errno == EPERM && setgid(getgid()) == 0 &&
+           getgroups(1, &group) == 1 && group == getgid() && setsid() == getpid() && getpgid(0) == getpid();
+}
+
+static int one_expression(void)
+{
+    char *wrong = re_comp("a\\(");
+    return wrong && !strcmp(wrong, "Unmatched ( or \\(") && !re_exec("a") && !re_comp("^[ab]*$") &&
+           re_exec("abba") && !re_exec("abc") && !re_comp("") && re_exec("");
+}
+
 int main(int argc, char **argv)
 {
     const char *slash = strrchr(argv[0], '/');
@@ -185,6 +227,9 @@ int main(int argc, char **argv)
     rule("locks", locks());
     rule("limits", limits());
     rule("warn, warnx, error", warnings());
+    rule("mmap", mappings());
+    rule("users", users());
+    rule("re_comp", one_expression());
     rule("others", kin());
     rule("the program's name", !strcmp(program_invocation_name, argv[0]) &&
                                    !strcmp(program_invocation_short_name, slash ? slash + 1 : argv[0]) &&
