@@ -194,7 +194,8 @@ void coll_send(const struct coll *o, const void *buf, int count, MPI_Datatype t,
 static int too_long(const struct coll *o, const struct nxm_status *s, size_t room)
 {
     return fail(o->c, o->call, MPI_ERR_TRUNCATE,
-                "rank %d sends %ld bytes, but this one expects %zu: counts, datatypes or calls differ",
+                "rank %d sends %ld bytes, but this one expects %zu: counts, datatypes or calls differ, as "
+                "touchstone run --mpi-checks says",
                 group_rank_of(o->group, s->node), s->bytes, room);
 }
 

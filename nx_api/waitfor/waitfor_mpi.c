@@ -46,7 +46,8 @@ void waitfor_print_mpi(FILE *f, const struct waitfor *w, long tag, long node, lo
 const char *waitfor_mpi_remedy(const struct waitfor_node *n)
 {
     if (is_collective(n->select.pid))
-        return "All ranks of a communicator have to call its collectives, in the same order.";
+        return "All ranks of a communicator have to call its collectives, in the same order: touchstone run "
+               "--mpi-checks names those that differ.";
     switch (n->cause) {
     case WAITFOR_WRONG_TYPE:
     case WAITFOR_WRONG_NODE:

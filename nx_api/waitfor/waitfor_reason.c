@@ -392,6 +392,27 @@ static const char *remedy_for_exit(struct waitfor *w)
     return waitfor_text(w, text);
 }
 
+/* The first node that waits for a reason of its own, as its mailbox or a full one shows; NULL: none. */
+static const struct waitfor_node *waits_by_itself(const struct waitfor *w)
+{
+    for (uint32_t i = 0; i < w->count; i++)
+        if (w->nodes[i].state == WAITFOR_WAITS && w->nodes[i].cause < WAITFOR_NODE_HAS_ENDED)
+            return &w->nodes[i];
+    return NULL;
+}
+
+/* An orphan's message may be one that such a node would send next. */
+static const char *remedy_for_orphan(struct waitfor *w)
+{
+    const struct waitfor_node *first = waits_by_itself(w);
+    if (!first)
+        return NULL;
+    char text[120];
+    snprintf(text, sizeof text, "Look at %s first (%s), which may be to send it.", first->name,
+             waitfor_cause_name(first->cause));
+    return waitfor_text(w, text);
+}
+
 static const char *remedy(const struct waitfor *w, const struct waitfor_node *n)
 {
     static const char *const TEXTS[WAITFOR_CAUSES] = {
@@ -432,14 +453,17 @@ static bool may_be_of_exit(enum waitfor_cause c)
 
 void waitfor_find_reasons(struct waitfor *w)
 {
-    const char *exit = remedy_for_exit(w);
+    const char *exit = remedy_for_exit(w), *orphan = remedy_for_orphan(w);
     struct reasons r = {w, waitfor_choose(w, lives, NULL), waitfor_choose(w, has_ended, NULL), NULL, 0};
     for (uint32_t i = 0; i < w->count; i++) {
         struct waitfor_node *n = &w->nodes[i];
         if (n->state != WAITFOR_WAITS)
             continue;
         n->why = why(&r, n);
-        n->remedy = exit && may_be_of_exit(n->cause) ? exit : remedy(w, n);
+        if (exit && may_be_of_exit(n->cause))
+            n->remedy = exit;
+        else
+            n->remedy = orphan && n->cause == WAITFOR_ORPHAN ? orphan : remedy(w, n);
     }
     free(r.living.runs);
     free(r.ended.runs);

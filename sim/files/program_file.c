@@ -1,5 +1,6 @@
 /* program_file.c - see program_file.h. */
 #include "files/program_file.h"
+#include <errno.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <sys/stat.h>
@@ -10,6 +11,12 @@ static bool is_there(const char *path)
 {
     struct stat st;
     return stat(path, &st) == 0 && !S_ISDIR(st.st_mode);
+}
+
+/* A folder, or what nobody can tell of. */
+static bool may_be_there(const char *path)
+{
+    return access(path, F_OK) == 0 || (errno != ENOENT && errno != ENOTDIR);
 }
 
 char *program_file_find(const char *name, const char *here, const char *brought, char **error)
@@ -23,7 +30,7 @@ char *program_file_find(const char *name, const char *here, const char *brought,
         free(path);
         return other;
     }
-    if (access(path, F_OK) == 0) { /* a folder: who opens it says so */
+    if (may_be_there(path)) { /* who opens it says why that is no program */
         free(other);
         return path;
     }

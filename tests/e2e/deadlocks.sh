@@ -39,6 +39,7 @@ done <<'END'
 512 own_types.c
 3 wrong_type.c
 3 wrong_node.c
+4 no_result.c
 2 taken.c
 2 handled.c
 2 held.c

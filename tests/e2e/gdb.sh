@@ -149,7 +149,7 @@ done
 started -n 4 --gdb 3 --at 45us deadlock <<'END'
 info locals
 END
-check "in a call: which, since when, and where" shows "node 3: crecv\([0-9]+\) since [0-9.]+ [mun]?s \(deadlock\.c:$(line gsync deadlock.c)\)"
+check "in a call: which, since when, and where" shows "node 3: gsync since [0-9.]+ [mun]?s \(deadlock\.c:$(line gsync deadlock.c)\)"
 check "in a call: main is shown" shows "^#[0-9]+ .* in main \(\) at .*deadlock.c:$(line gsync deadlock.c)\$"
 started -n 4 --gdb 0 --at 5s gdbO2 <<<''
 check "a time that never comes is said" shows 'the run has ended before'

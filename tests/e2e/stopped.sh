@@ -106,7 +106,7 @@ for engine in fast reference; do
 done
 asked -w 2 -n 40 stopped for
 check "SIGUSR1: nodes in the same state share a line" \
-    said "^  nodes (0, )?2-[0-9, -]+: crecv\\([0-9]+\\) since [0-9.]+ [mun]?s( to [0-9.]+ [mun]?s)? \\(stopped.c:$sync\\)"
+    said "^  nodes 0, 2-39: gsync since [0-9.]+ [mun]?s to [0-9.]+ [mun]?s \\(stopped.c:$sync\\)"
 check "a limit's report groups many nodes, too" test "$(grep -c '^  node' err)" -lt 20
 messages=400000 # a second or more
 [[ $BUILD != */asan ]] || messages=40000
@@ -176,6 +176,11 @@ check "--json PIPE: it stays" test -p pipe
 run -q -n 2 --json /dev/full ring
 check "--json to a full device: said" said '/dev/full cannot be written: No space left'
 check "--json to a full device: status 74" ended_with 74
+full() { "$BUILD/touchstone" machines >/dev/full 2>err; [ $? = 74 ] && grep -q 'standard output cannot be written: No space left' err; }
+check "text to a full device: said, by commands that only print, too" full
+ln -s endless_link endless_link
+run -q -n 2 endless_link
+check "a program that nobody can tell of: said why" said 'endless_link: Too many levels of symbolic links'
 check "a device stays a device" test -c /dev/full
 "$BUILD/touchstone" run -q -n 2 ring >/dev/full 2>err
 status=$?
