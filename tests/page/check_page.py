@@ -2,6 +2,7 @@
 
 PAGE shows what tests/e2e/page.sh made, MANY a trace of 100,000 intervals, TWO that and another. FOLDER has the files that the page was made of."""
 import json
+import re
 import sys
 
 from selenium.webdriver.common.action_chains import ActionChains
@@ -265,6 +266,12 @@ def check_trace_rest(b):
     rule("flame graph: a click widens it", now > 3 * wide, (wide, now))
 
 
+def mean_tone(picture):
+    """Of all pixels that are not as the first one, which is of the ground."""
+    pixels = [picture[i:i + 3] for i in range(0, len(picture), 3)]
+    return [sum(tones) / len(tones) for tones in zip(*(p for p in pixels if p != pixels[0]))]
+
+
 def check_surfaces(b):
     s = section(b, "Surfaces")
     canvas = s.find_element(By.TAG_NAME, "canvas")
@@ -276,6 +283,14 @@ def check_surfaces(b):
     tones = lambda p: len({tuple(p[i:i + 3]) for i in range(0, len(p), 3)})
     first = picture()
     rule("surfaces: WebGL draws them", tones(first) > 50, tones(first))
+    tone = b.run("return getComputedStyle(arguments[0].querySelector('.plot ~ ul .swatch')).backgroundColor", s)
+    parts = [v / int(w) for v, w in zip(mean_tone(first), re.findall(r"\d+", tone))]
+    rule("surfaces: their mean tone is the palette's", all(0.85 < part < 1.05 for part in parts), (parts, tone))
+    light = "arguments[0].view.scene.traverse(o => { if (o.isLight) o.intensity *= arguments[1]; }); arguments[0].view.draw()"
+    b.run(light, canvas, 0.5)
+    parts = [v / w for v, w in zip(mean_tone(picture()), mean_tone(first))]
+    b.run(light, canvas, 2)
+    rule("surfaces: half the light makes half the sRGB numbers", all(0.45 < part < 0.55 for part in parts), parts)
     outside = b.run("""const {view} = arguments[0], box = new THREE.Box3(), out = [];
         view.meshes.forEach(m => box.expandByObject(m));
         for (const x of [box.min.x, box.max.x]) for (const y of [box.min.y, box.max.y]) for (const z of [box.min.z, box.max.z]) {
@@ -291,6 +306,14 @@ def check_surfaces(b):
     rule("surfaces: the mouse turns them", picture() != turned)
     canvas.send_keys("0")
     before = picture()
+    see_through = "arguments[0].querySelector('.plot ~ ul input').click()"
+    b.run(see_through, s)
+    clear = picture()
+    b.run(see_through, s)
+    ground, whole = sum(before[:3]), sum(mean_tone(before))
+    rule("surfaces: one that is seen through is nearer to the ground's tone",
+         abs(sum(mean_tone(clear)) - ground) < 0.8 * abs(whole - ground), (ground, whole, mean_tone(clear)))
+    rule("surfaces: and is whole again", picture() == before)
     b.run("const c = arguments[0].querySelector('select'); c.value = 'node'; c.dispatchEvent(new Event('change'))", s)
     rule("surfaces: coloured by node", picture() != before)
 

@@ -161,6 +161,7 @@ class SurfaceView {
         const material = new THREE.MeshPhongMaterial({
             color: SURFACE_TONES[i % SURFACE_TONES.length],
             side: THREE.DoubleSide,
+            forceSinglePass: true, /* both sides at once, also of one that is seen through */
             shininess: 18,
             specular: 0x161616
         });
@@ -309,7 +310,8 @@ class SurfaceView {
         return this.meshes[i].visible;
     }
     seeThrough(i, on) {
-        Object.assign(this.meshes[i].material, {transparent: on, opacity: on ? 0.35 : 1, depthWrite: !on});
+        Object.assign(this.meshes[i].material,
+            {transparent: on, opacity: on ? 0.35 : 1, depthWrite: !on, needsUpdate: true});
         this.draw();
     }
     /* Of several surfaces the largest is seen through, for it may hide the others. */
