@@ -22,7 +22,8 @@ static int made_locks(void)
     pthread_mutexattr_init(&how);
     pthread_mutexattr_settype(&how, PTHREAD_MUTEX_RECURSIVE);
     int good = !pthread_mutex_init(&m, &how) && !pthread_mutexattr_destroy(&how);
-    good = good && !pthread_mutex_lock(&m) && !pthread_mutex_trylock(&m) && pthread_mutex_destroy(&m) == EBUSY;
+    good =
+        good && !pthread_mutex_lock(&m) && !pthread_mutex_trylock(&m) && pthread_mutex_destroy(&m) == EBUSY;
     return good && !pthread_mutex_unlock(&m) && !pthread_mutex_unlock(&m) && !pthread_mutex_destroy(&m);
 }
 
