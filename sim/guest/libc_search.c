@@ -1,10 +1,27 @@
 /* libc_search.c - sorting and searching with a function of the program's, which runs on the program's
  * stack. Elements are compared in the order in which glibc compares them: the function may have side
  * effects, and costs time. */
+#include <dlfcn.h>
 #include <search.h>
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/crossing.h"
+
+/* The C library's own qsort_r. In builds with sanitizers the name is theirs, whose function compares all
+ * neighbours first. */
+static void sort(void *base, size_t count, size_t bytes, int (*order)(const void *, const void *, void *),
+                 void *with)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    void *library = dlopen("libc.so.6", RTLD_LAZY | RTLD_NOLOAD);
+    void (*own)(void *, size_t, size_t, int (*)(const void *, const void *, void *), void *);
+    *(void **)&own = dlsym(library, "qsort_r");
+    own(base, count, bytes, order, with);
+    dlclose(library);
+#else
+    qsort_r(base, count, bytes, order, with);
+#endif
+}
 
 static int compare(void *function, const void *a, const void *b)
 {
@@ -19,7 +36,7 @@ static int compare_for_qsort(const void *a, const void *b, void *function)
 void node_qsort(void *base, size_t count, size_t bytes, void *function);
 void node_qsort(void *base, size_t count, size_t bytes, void *function)
 {
-    qsort_r(base, count, bytes, compare_for_qsort, function);
+    sort(base, count, bytes, compare_for_qsort, function);
 }
 
 struct with_argument {
@@ -36,7 +53,7 @@ void node_qsort_r(void *base, size_t count, size_t bytes, void *function, void *
 void node_qsort_r(void *base, size_t count, size_t bytes, void *function, void *argument)
 {
     struct with_argument w = {function, argument};
-    qsort_r(base, count, bytes, compare_for_qsort_r, &w);
+    sort(base, count, bytes, compare_for_qsort_r, &w);
 }
 
 void *node_bsearch(const void *key, const void *base, size_t count, size_t bytes, void *function);

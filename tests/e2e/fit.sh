@@ -113,7 +113,7 @@ check "the best is found" near a 5
 check "both numbers" near b 3
 check "slopes are those of the runs that did not fail" shows '^x 2: y +\+0\.769[0-9]* +\+0\.230[0-9]*$'
 check "an evaluation with a run that failed is told" said '^ +[0-9]+  a run failed  a [5-9]\.[0-9]+  b '
-check "the report names the runs" shows '^a 5\.[01][0-9]*  b [0-9.]+: x 2: y: exit status 1: .*exit\(3\)$'
+check "the report names the runs" shows '^a 5\.[01][0-9]*  b [0-9.]+: x 2: y: exit status 1: .*exit\(3\) \(.*:[0-9]+\)$'
 check "each once" bash -c '! grep ": x 2: y: " out | sort | uniq -d | grep .'
 sed 's/start = 4.5/start = 6.0/' limit.cfg >late.cfg
 fit late.cfg
