@@ -38,7 +38,7 @@ check "words: the most frequent first, equal ones by name" diff <(printf '%5d %s
 
 run -n 3 grepper '(a' text
 check "a wrong expression: the program says what is wrong" said '^grepper: Unmatched \( or \\\($'
-check "and its node ends with its status" said 'node 0 ended at .* with exit\(2\)$'
+check "and its node ends with its status" said 'node 0 ended at .* with exit\(2\) \(grepper.c:[0-9]+\)$'
 run -n 1 lister nowhere
 check "no such folder: err() says why" said '^lister: nowhere: No such file or directory$'
 mkdir here && cd here || exit 1
