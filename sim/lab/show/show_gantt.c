@@ -30,7 +30,7 @@ double gantt_height(const struct show *s)
 static char *notes(const struct show *s, bool higher)
 {
     if (s->rows.per == 1)
-        return xasprintf("A row a node%s; what is shorter than a pixel has its share of the pixel's height",
+        return xasprintf("A row a node%s; pieces shorter than a pixel share its height, each by its length",
                          higher ? ", those that serve the others higher" : "");
     char *rows = node_rows_text(&s->rows, "rows"),
          *all = xasprintf("%s; each activity has its share of the row's height", rows);

@@ -16,7 +16,7 @@ void utilisation_draw(const struct show *s, const struct canvas *c)
     struct plot p = {LEFT, HEAD_HEIGHT, CANVAS_WIDTH - LEFT - 24, PLOT_HEIGHT};
     struct state_times rows = stacked_times(s->trace, &s->rows, p.w), all = state_times_total(&rows);
     show_head(s, c, "Utilisation count",
-              xstrdup("How many nodes do what; what is shorter than a pixel counts as its share of it"));
+              xstrdup("How many nodes do what; pieces shorter than a pixel share it, each by its length"));
     struct canvas field = stacked_canvas(c, p, &all);
     stacked_draw(&field, p, &all, 0, s->rows.nodes, ACTIVITIES);
     stacked_finish(c, p, &field);
