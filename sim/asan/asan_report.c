@@ -118,11 +118,10 @@ static struct object of_local(const struct node *n, uintptr_t at)
 
 static struct object object_of(const struct node *n, uintptr_t at, uint8_t why)
 {
-    return why == NXC_ASAN_LOCAL      ? of_local(n, at)
-           : why == NXC_ASAN_GLOBAL   ? of_global(n, at)
-           : why == NXC_ASAN_RETURNED ? (struct object){.bytes = SIZE_MAX}
-           : why == NXC_ASAN_OTHERS   ? (struct object){.bytes = SIZE_MAX}
-                                      : of_block(n, at);
+    return why == NXC_ASAN_LOCAL                                ? of_local(n, at)
+           : why == NXC_ASAN_GLOBAL                             ? of_global(n, at)
+           : why == NXC_ASAN_RETURNED || why == NXC_ASAN_OTHERS ? (struct object){.bytes = SIZE_MAX}
+                                                                : of_block(n, at);
 }
 
 /* --- text --- */

@@ -217,12 +217,16 @@ void store_release(struct store_file *f)
 
 /* --- names --- */
 
+/* Of a path, the name within the file system and the host's, in PATH_MAX bytes each. */
+static int find_names(struct store *s, const char *path, char *name, char *host)
+{
+    return within(path, name, PATH_MAX) ? host_path(s, name, host, PATH_MAX) : EACCES;
+}
+
 int store_unlink(struct store *s, const char *path)
 {
     char name[PATH_MAX], host[PATH_MAX];
-    if (!within(path, name, sizeof name))
-        return EACCES;
-    int error = host_path(s, name, host, sizeof host);
+    int error = find_names(s, path, name, host);
     if (error)
         return error;
     error = error_of(fence_unlink(s->fence, host));
@@ -272,9 +276,7 @@ static ino_t identity(const char *name)
 int store_stat(struct store *s, const char *path, struct stat *st)
 {
     char name[PATH_MAX], host[PATH_MAX];
-    if (!within(path, name, sizeof name))
-        return EACCES;
-    int error = host_path(s, name, host, sizeof host);
+    int error = find_names(s, path, name, host);
     if (!error)
         error = error_of(fence_stat(s->fence, host, st));
     if (error)
@@ -286,9 +288,7 @@ int store_stat(struct store *s, const char *path, struct stat *st)
 int store_names(struct store *s, const char *path, char **names)
 {
     char name[PATH_MAX], host[PATH_MAX];
-    if (!within(path, name, sizeof name))
-        return EACCES;
-    int error = host_path(s, name, host, sizeof host);
+    int error = find_names(s, path, name, host);
     if (error)
         return error;
     int fd = fence_open(s->fence, host, O_RDONLY | O_DIRECTORY | O_CLOEXEC, 0);
