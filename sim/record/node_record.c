@@ -29,6 +29,7 @@ struct open {
      * whatever puts off both. */
     bool begun, left;
     vtime takes;
+    struct recorded_call sure; /* what was known of it when it was deferred */
 };
 
 enum { DEEPEST = 4 };
@@ -237,7 +238,9 @@ static void exchange(struct open *a, struct open *b)
 static void hear_deferred(struct observer *by, struct node *n)
 {
     struct node_record *r = record_of(by);
-    begin_call(r, n, nth_deferred(r, n, n->deferred.count - 1), __builtin_frame_address(0));
+    struct open *o = nth_deferred(r, n, n->deferred.count - 1);
+    begin_call(r, n, o, __builtin_frame_address(0));
+    o->sure = o->call;
 }
 
 static void hear_deferred_again(struct observer *by, struct node *n)
@@ -247,6 +250,7 @@ static void hear_deferred_again(struct observer *by, struct node *n)
     exchange(o, top(r));
     r->depth--;
     o->begun = true;
+    o->sure = o->call;
 }
 
 static void hear_committed(struct observer *by, struct node *n, vtime t)
@@ -275,12 +279,26 @@ static void hear_popped(struct observer *by, struct node *n)
         exchange(push(r, false), o);
 }
 
+/* What the call's program was told when its caller resumed, which it now does not; what the call has sent, it
+ * sent when it began. */
+static void forget_resuming(struct recorded_call *c, const struct recorded_call *sure)
+{
+    const uint8_t told = CALL_HAS_TYPE | CALL_TOOK;
+    c->flags = (uint8_t)((c->flags & ~told) | (sure->flags & told));
+    c->type = sure->type;
+    c->taken_source = sure->taken_source, c->taken_order = sure->taken_order, c->taken_at = sure->taken_at;
+    c->wait_count = sure->wait_count;
+}
+
 /* The program goes no further. If it was in the first of them, it still is. */
 static void hear_rolled_back(struct observer *by, struct node *n)
 {
     struct node_record *r = record_of(by);
-    if (n->deferred.count && nth_deferred(r, n, 0)->begun)
-        exchange(push(r, false), nth_deferred(r, n, 0));
+    struct open *o = nth_deferred(r, n, 0);
+    if (!n->deferred.count || !o->begun)
+        return;
+    forget_resuming(&o->call, &o->sure);
+    exchange(push(r, false), o);
 }
 
 /* --- handlers --- */

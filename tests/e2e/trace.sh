@@ -3,6 +3,7 @@
 # all engines and workers, and can be cut to an interval and to nodes. (make prove compares traces of random programs.)
 . "$(dirname "$0")/common.bash"
 compile ring talk
+compile crash_while_receiving
 
 # The figures that a trace must not change.
 figures() { grep -v -e wall_time -e start_s "$1"; }
@@ -30,6 +31,20 @@ traced() { # NAME ARGS...
 }
 traced "ring" -m ipsc860 -n 8 ring
 traced "the model program" -m delta -n 8 "$BUILD/app/model" -sphere 32 32 9 -group 4
+
+# A crash: what other nodes' programs have done ahead of it did not happen, nor what they learned in a call.
+calls() { # N ARGS...
+    local n=$1
+    shift
+    "$BUILD/touchstone" run -q -m ipsc860 -n 4 --trace c.trace "$@" crash_while_receiving "$n" >/dev/null 2>&1
+    "$BUILD/touchstone" trace export -f csv --table calls c.trace
+}
+for n in 0 49 56 63 70 77 84; do
+    calls $n --engine reference >first
+    calls $n -w 3 >other
+    check "a crash at $n: the calls of the trace" cmp first other
+done
+check "the last crash came in a receive" grep -q '^.*,node 0,.*,,crecv,' first
 
 # A part of it.
 "$BUILD/touchstone" run -q -m ipsc860 -n 8 --trace part.trace --trace-from 10ms --trace-to 20ms --trace-nodes 2-3,5 ring >/dev/null 2>&1
