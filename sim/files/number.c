@@ -1,6 +1,8 @@
 /* number.c - see number.h. */
 #include "files/number.h"
+#include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,4 +17,17 @@ bool number_read(const char *text, double *value, double *unit)
     if (unit)
         *unit = pow(10, (power ? strtod(power + 1, NULL) : 0) - (double)digits);
     return true;
+}
+
+struct number_text number_grouped(uint64_t count)
+{
+    struct number_text grouped = {""};
+    char digits[24], *to = grouped.text;
+    int length = snprintf(digits, sizeof digits, "%" PRIu64, count);
+    for (int i = 0; i < length; i++) {
+        if (i && (length - i) % 3 == 0)
+            *to++ = ',';
+        *to++ = digits[i];
+    }
+    return grouped;
 }

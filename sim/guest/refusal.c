@@ -1,6 +1,7 @@
 /* refusal.c - see refusal.h. */
 #include "guest/refusal.h"
 #include <inttypes.h>
+#include "files/number.h"
 #include "guest/backtrace.h"
 #include "guest/image.h"
 #include "os/memory.h"
@@ -11,15 +12,6 @@ bool refusal_was_last(const struct node *n)
     enum { BUFFERS = 1 << 16 };
     const struct node_refusal *r = &n->cold->refusal;
     return r->bytes > 0 && n->heap_used <= r->heap && r->heap - n->heap_used <= BUFFERS;
-}
-
-/* With a comma between each three digits. */
-static void print_grouped(FILE *f, size_t number)
-{
-    char digits[24];
-    int length = snprintf(digits, sizeof digits, "%zu", number);
-    for (int i = 0; i < length; i++)
-        fprintf(f, "%s%c", i > 0 && (length - i) % 3 == 0 ? "," : "", digits[i]);
 }
 
 /* The innermost call that stands in the program's own code; its offset in the program. */
@@ -43,7 +35,7 @@ void refusal_print(FILE *f, const struct node *n)
         return;
     const char *call = r->depth > 0 ? backtrace_called(n, r->returns[0]) : NULL;
     fprintf(f, "\n  its memory was exhausted: %s of ", call ? call : "malloc");
-    print_grouped(f, r->bytes);
+    fputs(number_grouped(r->bytes).text, f);
     fprintf(f, " bytes was refused");
     if (r->depth > 0)
         fprintf(f, " in %s", node_image_where(n->file, place_of(n, r), where, sizeof where));

@@ -284,6 +284,15 @@ static void text_that_json_cannot_hold_ends_the_process_with_a_message(void **st
 
 /* --- times for people --- */
 
+static void counts_have_a_comma_between_each_three_digits(void **state)
+{
+    (void)state;
+    assert_string_equal("0", number_grouped(0).text);
+    assert_string_equal("999", number_grouped(999).text);
+    assert_string_equal("1,200,034", number_grouped(1200034).text);
+    assert_string_equal("18,446,744,073,709,551,615", number_grouped(UINT64_MAX).text);
+}
+
 static void moments_keep_each_nanosecond(void **state)
 {
     (void)state;
@@ -323,6 +332,7 @@ int main(void)
         TEST(text_is_read_if_it_is_text),
         TEST(a_number_is_as_exact_as_its_last_digit),
         TEST(text_that_json_cannot_hold_ends_the_process_with_a_message),
+        TEST(counts_have_a_comma_between_each_three_digits),
         TEST(moments_keep_each_nanosecond),
         TEST(durations_have_four_digits),
     };

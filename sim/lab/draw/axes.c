@@ -154,14 +154,6 @@ char *axis_percent_text(double share)
                                           : xasprintf(percent < 1 ? "%.2g %%" : "%.3g %%", percent);
 }
 
-char *axis_count_text(uint64_t count)
-{
-    char *high = count >= 1000 ? axis_count_text(count / 1000) : NULL;
-    char *text = high ? xasprintf("%s,%03" PRIu64, high, count % 1000) : xasprintf("%" PRIu64, count);
-    free(high);
-    return text;
-}
-
 /* --- rows and columns --- */
 
 /* Each how manieth row has a label: a power of two. */

@@ -14,8 +14,6 @@ char *axis_time_text(vtime t, vtime resolution);
 /* A number for people: "950", "1.2 k", "3 M"; of bytes: "1.5 kB". malloc'd. */
 char *axis_number_text(double value, bool bytes);
 
-/* "1,234,567". malloc'd. */
-char *axis_count_text(uint64_t count);
 /* A share, 0 to 1, in percent: "27.8 %", "0.04 %", "< 0.001 %". malloc'd. */
 char *axis_percent_text(double share);
 

@@ -2,6 +2,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
+#include "files/number.h"
 #include "kernel/xalloc.h"
 #include "lab/draw/axes.h"
 #include "lab/show/display_parts.h"
@@ -20,11 +21,10 @@ static char *notes(const struct message_lengths *l)
 {
     if (!l->messages)
         return xstrdup("No message was sent");
-    char *count = axis_count_text(l->messages), *bytes = axis_number_text((double)l->bytes, true);
+    char *bytes = axis_number_text((double)l->bytes, true);
     char *text = xasprintf("%s messages, %s; the shortest has %" PRIu64 " bytes, the median %" PRIu64
                            ", the longest %" PRIu64 "; classes by powers of two",
-                           count, bytes, l->shortest, l->median, l->longest);
-    free(count);
+                           number_grouped(l->messages).text, bytes, l->shortest, l->median, l->longest);
     free(bytes);
     return text;
 }

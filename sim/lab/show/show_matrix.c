@@ -1,6 +1,7 @@
 /* show_matrix.c - the communication matrix: what each node, or class of nodes, sent to each. */
 #include <math.h>
 #include <stdlib.h>
+#include "files/number.h"
 #include "kernel/xalloc.h"
 #include "lab/draw/axes.h"
 #include "lab/show/display_parts.h"
@@ -48,11 +49,10 @@ double matrix_height(const struct show *s)
 
 static char *notes(const struct show *s, const struct matrix_picture *x)
 {
-    char *count = axis_count_text(x->m.messages), *bytes = axis_number_text((double)x->m.bytes, true);
+    char *bytes = axis_number_text((double)x->m.bytes, true);
     char *rows = s->rows.per > 1 ? node_rows_text(&s->rows, "rows") : xstrdup("");
     char *text = xasprintf("%s messages sent, %s%s%s; white: none; bars: all that a row sent, received",
-                           count, bytes, *rows ? "; " : "", rows);
-    free(count);
+                           number_grouped(x->m.messages).text, bytes, *rows ? "; " : "", rows);
     free(bytes);
     free(rows);
     return text;

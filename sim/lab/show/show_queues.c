@@ -2,6 +2,7 @@
  * time. */
 #include <math.h>
 #include <stdlib.h>
+#include "files/number.h"
 #include "kernel/xalloc.h"
 #include "lab/draw/axes.h"
 #include "lab/show/display_parts.h"
@@ -69,7 +70,7 @@ static char *longest_text(const struct trace *t, const struct message_queues *q)
 {
     uint64_t length = q->longest.length;
     char *time = axis_time_text(q->longest.time, (q->bins.to - q->bins.from) / 1000);
-    char *count = q->bytes ? axis_number_text((double)length, true) : axis_count_text(length);
+    char *count = q->bytes ? axis_number_text((double)length, true) : xstrdup(number_grouped(length).text);
     const char *what = q->bytes ? "" : length == 1 ? " message" : " messages";
     char *text = xasprintf("%s%s at %s, at %s", count, what, t->nodes[q->longest.node].name, time);
     free(time);

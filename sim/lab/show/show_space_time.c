@@ -1,6 +1,7 @@
 /* show_space_time.c - the space-time diagram: nodes' lines, and the messages between them. */
 #include <math.h>
 #include <stdlib.h>
+#include "files/number.h"
 #include "kernel/xalloc.h"
 #include "lab/show/display_parts.h"
 #include "lab/show/message_sample.h"
@@ -151,21 +152,16 @@ static void draw_all_messages(const struct canvas *c, const struct space_time *d
 static char *notes(const struct space_time *d)
 {
     if (d->show->densest) {
-        char *all = axis_count_text((uint64_t)d->show->trace->message_count);
-        char *text = xasprintf("Where messages are the densest: %zu of %s; --messages N draws the whole run",
-                               d->sample.count, all);
-        free(all);
-        return text;
+        return xasprintf("Where messages are the densest: %zu of %s; --messages N draws the whole run",
+                         d->sample.count, number_grouped((uint64_t)d->show->trace->message_count).text);
     }
     char *lines = d->apart < 4 ? xasprintf("%d lines, too close to be drawn; ", d->lines.count) : xstrdup("");
-    char *count = axis_count_text(d->sample.count), *of = axis_count_text(d->sample.of);
+    struct number_text count = number_grouped(d->sample.count), of = number_grouped(d->sample.of);
     char *text = d->sample.count < d->sample.of
-                     ? xasprintf("%s%s of %s messages drawn, evenly chosen", lines, count, of)
-                 : d->sample.of ? xasprintf("%sall %s messages drawn", lines, of)
+                     ? xasprintf("%s%s of %s messages drawn, evenly chosen", lines, count.text, of.text)
+                 : d->sample.of ? xasprintf("%sall %s messages drawn", lines, of.text)
                                 : xasprintf("%sno message is on its way", lines);
     free(lines);
-    free(count);
-    free(of);
     return text;
 }
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "files/ink.h"
+#include "files/number.h"
 #include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 #include "lab/why/path_shares.h"
@@ -67,8 +68,8 @@ static void classes(struct why *w, FILE *f)
     struct why_unit u = why_unit_for(w->length);
     bool said[WHY_CLASSES] = {false};
     struct ink ink = ink_for(f);
-    fprintf(f, "%sCritical path, %-10s steps %8s %7s %22s %13s%s\n", ink.bold, why_count(w->path.count).text,
-            u.name, "%", "if it took no time", "times faster", ink.off);
+    fprintf(f, "%sCritical path, %-10s steps %8s %7s %22s %13s%s\n", ink.bold,
+            number_grouped(w->path.count).text, u.name, "%", "if it took no time", "times faster", ink.off);
     for (int n = 0; n < WHY_CLASSES; n++) {
         int most = -1;
         for (int i = 0; i < WHY_CLASSES; i++)

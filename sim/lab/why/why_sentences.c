@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
+#include "files/number.h"
 #include "kernel/xalloc.h"
 #include "lab/why/path_shares.h"
 
@@ -138,7 +139,7 @@ static vtime entering_on(const struct why *w, int32_t node)
 static void say_handlers(struct why *w, const struct part *p, FILE *f)
 {
     struct why_unit u = why_unit_for(w->length);
-    fprintf(f, " %s handlers took %s (%s)", why_count(handlers_on(w, p->node)).text,
+    fprintf(f, " %s handlers took %s (%s)", number_grouped(handlers_on(w, p->node)).text,
             why_time(u, p->of[WHY_HANDLERS]).text, why_percent(p->of[WHY_HANDLERS], p->time).text);
     name_functions(w, p, WHY_HANDLERS, ", mostly for ", f);
     fprintf(f, "; entering and leaving them took %s of it.", why_time(u, entering_on(w, p->node)).text);
@@ -211,7 +212,7 @@ static void path(struct why *w, FILE *f)
             f,
             "The critical path, traced from the end of the run back to its start along what had to happen "
             "first, goes %s times from one node to another; its largest part, %s, is on %s.",
-            why_count(w->path.jumps).text, why_percent(time, w->length).text, node_words(w, node));
+            number_grouped(w->path.jumps).text, why_percent(time, w->length).text, node_words(w, node));
     }
     say_classes(w, &p, f);
 }

@@ -47,16 +47,3 @@ struct why_text why_faster(vtime before, vtime after)
         snprintf(x.text, sizeof x.text, "very many");
     return x;
 }
-
-struct why_text why_count(uint64_t n)
-{
-    struct why_text x = {""};
-    char digits[24];
-    int length = snprintf(digits, sizeof digits, "%" PRIu64, n);
-    for (int i = 0, out = 0; i < length; i++) {
-        if (i && (length - i) % 3 == 0)
-            x.text[out++] = ',';
-        x.text[out++] = digits[i];
-    }
-    return x;
-}

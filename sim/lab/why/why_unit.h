@@ -23,6 +23,4 @@ struct why_text why_number(struct why_unit u, vtime t);
 struct why_text why_percent(vtime part, vtime whole);
 /* How many times faster: "1.64"; "very many" if nothing is left. */
 struct why_text why_faster(vtime before, vtime after);
-/* A count with commas: "65,325". */
-struct why_text why_count(uint64_t n);
 #endif
