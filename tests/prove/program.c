@@ -425,6 +425,17 @@ static void add_families(struct chooser *c)
     add_later_families(c->p, phases);
 }
 
+/* In some programs a node crashes while others are in the middle of something: what these have done ahead has
+ * to be taken back. */
+static void add_crash(struct program *p)
+{
+    struct chooser c = {.p = p, .random = p->seed ^ UINT64_C(0xc4a5)};
+    int node = (int)random_below(&c.random, p->nodes);
+    const struct script *s = &p->script[node];
+    if (s->count && random_chance(&c.random, 0.15))
+        add_chosen(&c, node, kind_named("crash"), s->ops[random_below(&c.random, s->count)].key);
+}
+
 struct program *program_new(uint64_t seed)
 {
     struct chooser c = {.p = calloc(1, sizeof *c.p), .random = seed * 2654435761u + 1};
@@ -437,6 +448,7 @@ struct program *program_new(uint64_t seed)
     choose_timing(c.p);
     if (!choose_mpi(c.p))
         add_families(&c);
+    add_crash(c.p);
     for (int i = 0; i < SCRIPTS; i++)
         if (c.p->script[i].count)
             qsort(c.p->script[i].ops, c.p->script[i].count, sizeof(struct op), by_key);
