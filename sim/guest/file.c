@@ -183,15 +183,23 @@ static int host_answer(struct node *n, int answer)
     return answer;
 }
 
+/* Makes *path one from the root. Is it a file of this computer? Then it is the node's turn, and the file is
+ * noted. */
+static bool is_on_host(struct node *n, const char **path)
+{
+    *path = folder_path(n, *path, 0);
+    if (file_is_simulated(*path))
+        return false;
+    node_order(n);
+    note_host_file(n->sys, *path);
+    return true;
+}
+
 struct node_file *file_open(struct node *n, const char *path, int flags, mode_t permissions)
 {
-    path = folder_path(n, path, 0);
-    if (!file_is_simulated(path)) {
-        node_order(n);
-        note_host_file(n->sys, path);
+    if (is_on_host(n, &path))
         return file_of_host(n,
                             host_answer(n, fence_open(n->sys->fence, path, flags | O_CLOEXEC, permissions)));
-    }
     bool masked = enter(n, "open");
     struct node_file *f = fs_of(n)->open(fs_of(n)->ctx, n, path, flags, permissions);
     leave(n, masked);
@@ -200,11 +208,8 @@ struct node_file *file_open(struct node *n, const char *path, int flags, mode_t 
 
 struct node_file *file_open_temporary(struct node *n, const char *path, int flags)
 {
-    path = folder_path(n, path, 0);
-    if (file_is_simulated(path))
+    if (!is_on_host(n, &path))
         return file_open(n, path, flags | O_RDWR | O_CREAT | O_EXCL, 0600);
-    node_order(n);
-    note_host_file(n->sys, path);
     int fd = fence_open_temporary(n->sys->fence, path, flags | O_RDWR | O_CLOEXEC);
     return file_of_host(n, host_answer(n, fd));
 }
@@ -301,12 +306,8 @@ void file_drop(struct node_file *f)
 
 int file_stat(struct node *n, const char *path, struct stat *st)
 {
-    path = folder_path(n, path, 0);
-    if (!file_is_simulated(path)) {
-        node_order(n);
-        note_host_file(n->sys, path);
+    if (is_on_host(n, &path))
         return host_answer(n, fence_stat(n->sys->fence, path, st));
-    }
     bool masked = enter(n, "stat");
     int r = fs_of(n)->stat(fs_of(n)->ctx, n, path, st);
     leave(n, masked);
@@ -315,22 +316,16 @@ int file_stat(struct node *n, const char *path, struct stat *st)
 
 int file_stat_within(struct node *n, const char *path, struct stat *st)
 {
-    path = folder_path(n, path, 0);
-    if (file_is_simulated(path))
+    if (!is_on_host(n, &path))
         return fs_of(n)->stat(fs_of(n)->ctx, n, path, st);
-    node_order(n);
-    note_host_file(n->sys, path);
     return host_answer(n, fence_stat(n->sys->fence, path, st));
 }
 
 /* The machine's file system has no links. */
 int file_lstat(struct node *n, const char *path, struct stat *st)
 {
-    path = folder_path(n, path, 0);
-    if (file_is_simulated(path))
+    if (!is_on_host(n, &path))
         return file_stat(n, path, st);
-    node_order(n);
-    note_host_file(n->sys, path);
     return host_answer(n, fence_lstat(n->sys->fence, path, st));
 }
 
@@ -338,12 +333,8 @@ int file_lstat(struct node *n, const char *path, struct stat *st)
 ssize_t file_readlink(struct node *n, const char *path, char *buf, size_t size)
 {
     struct stat st;
-    path = folder_path(n, path, 0);
-    if (!file_is_simulated(path)) {
-        node_order(n);
-        note_host_file(n->sys, path);
+    if (is_on_host(n, &path))
         return host_answer(n, (int)fence_readlink(n->sys->fence, path, buf, size));
-    }
     if (file_stat(n, path, &st) == 0)
         node_set_errno(EINVAL);
     return -1;
@@ -351,10 +342,7 @@ ssize_t file_readlink(struct node *n, const char *path, char *buf, size_t size)
 
 char *file_names(struct node *n, const char *path)
 {
-    path = folder_path(n, path, 0);
-    if (!file_is_simulated(path)) {
-        node_order(n);
-        note_host_file(n->sys, path);
+    if (is_on_host(n, &path)) {
         int flags = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
         return folder_names(host_answer(n, fence_open(n->sys->fence, path, flags, 0)));
     }
@@ -372,32 +360,22 @@ static int only_look(struct node *n, const char *path)
 
 int file_chmod(struct node *n, const char *path, mode_t permissions)
 {
-    path = folder_path(n, path, 0);
-    if (file_is_simulated(path))
+    if (!is_on_host(n, &path))
         return only_look(n, path);
-    node_order(n);
-    note_host_file(n->sys, path);
     return host_answer(n, fence_chmod(n->sys->fence, path, permissions));
 }
 
 int file_utimes(struct node *n, const char *path, const struct timeval times[2])
 {
-    path = folder_path(n, path, 0);
-    if (file_is_simulated(path))
+    if (!is_on_host(n, &path))
         return only_look(n, path);
-    node_order(n);
-    note_host_file(n->sys, path);
     return host_answer(n, fence_utimes(n->sys->fence, path, times));
 }
 
 int file_unlink(struct node *n, const char *path)
 {
-    path = folder_path(n, path, 0);
-    if (!file_is_simulated(path)) {
-        node_order(n);
-        note_host_file(n->sys, path);
+    if (is_on_host(n, &path))
         return host_answer(n, fence_unlink(n->sys->fence, path));
-    }
     bool masked = enter(n, "unlink");
     int r = fs_of(n)->unlink(fs_of(n)->ctx, n, path);
     leave(n, masked);
@@ -428,11 +406,8 @@ int file_rename(struct node *n, const char *from, const char *to)
  * being made. */
 int file_make_folder(struct node *n, const char *path, mode_t permissions)
 {
-    path = folder_path(n, path, 0);
-    if (file_is_simulated(path))
+    if (!is_on_host(n, &path))
         return 0;
-    node_order(n);
-    note_host_file(n->sys, path);
     return host_answer(n, fence_mkdir(n->sys->fence, path, permissions));
 }
 
