@@ -35,7 +35,7 @@ static int look(const struct walk *w, const char *path, struct stat *st)
 
 static int visit(const struct walk *w, const char *path, struct FTW at);
 
-/* What is in a folder. */
+/* Visits what is in a folder. */
 static int visit_entries(const struct walk *w, const char *path, DIR *d, struct FTW at)
 {
     int answer = 0;

@@ -217,7 +217,7 @@ void store_release(struct store_file *f)
 
 /* --- names --- */
 
-/* Of a path, the name within the file system and the host's, in PATH_MAX bytes each. */
+/* Finds a path's name within the file system, and on the host, in PATH_MAX bytes each. 0, or an error. */
 static int find_names(struct store *s, const char *path, char *name, char *host)
 {
     return within(path, name, PATH_MAX) ? host_path(s, name, host, PATH_MAX) : EACCES;

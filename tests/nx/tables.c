@@ -14,7 +14,7 @@ enum { MANY = 500 };
 static char keys[MANY][8];
 static int numbers[MANY];
 
-/* The same numbers in any run, other ones on each node. */
+/* Chooses numbers that are the same in any run, and others on each node. */
 static void fill(void)
 {
     for (int i = 0; i < MANY; i++) {

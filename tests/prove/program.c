@@ -433,7 +433,7 @@ static void add_crash(struct program *p)
     int node = (int)random_below(&c.random, p->nodes);
     const struct script *s = &p->script[node];
     if (s->count && random_chance(&c.random, 0.15))
-        add_chosen(&c, node, kind_named("crash"), s->ops[random_below(&c.random, s->count)].key);
+        add_chosen(&c, node, kind_named("crash"), s->ops[random_below(&c.random, s->count)].key + 1e-6);
 }
 
 struct program *program_new(uint64_t seed)
