@@ -45,7 +45,7 @@ LAB_SRC     := sim/lab/commands/tables_command.c $(wildcard sim/lab/tables/*.c s
     $(addprefix sim/lab/study/,expr.c inputs.c points.c spec.c)
 LIBS         = $(SIM_LIBS)
 endif
-SIM_SRC := $(filter-out $(MAINS) $(REFERENCE),$(wildcard sim/*/*.c nx_api/sim/*.c nx_api/calls/*.c nx_api/contract/*.c nx_api/waitfor/*.c mpi_api/core/*.c mpi_api/checks/*.c))
+SIM_SRC := $(filter-out $(MAINS) $(REFERENCE),$(wildcard sim/*/*.c sim/guest/libc/*.c nx_api/sim/*.c nx_api/calls/*.c nx_api/contract/*.c nx_api/waitfor/*.c mpi_api/core/*.c mpi_api/checks/*.c))
 SIM_OBJ := $(SIM_SRC:%.c=$B/obj/%.o)
 LAB_OBJ := $(LAB_SRC:%.c=$B/obj/%.o)
 REF_OBJ := $(patsubst %.c,$B/obj/%.o,$(filter-out $(FAST_ENGINE),$(SIM_SRC)) $(REFERENCE))

@@ -164,7 +164,7 @@ static char *value_of(const char *values, const char *name)
 }
 
 /* A function that returns a value (0 as a floating-point number, too); or, without one, that tells the
- * simulator that it was called: sim/guest/libc_absent.c. */
+ * simulator that it was called: sim/guest/libc/libc_absent.c. */
 static void write_code(FILE *f, const char *name, const char *value)
 {
     fprintf(f, "\t.text\n\t.globl %s\n\t.hidden %s\n\t.type %s, @function\n%s:", name, name, name, name);

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-int nx_folder_names(const char *path, char **list); /* sim/guest/folder_names.c */
+int nx_folder_names(const char *path, char **list); /* sim/guest/libc/folder_names.c */
 
 struct __dirstream {
     char *names;       /* of each entry its kind and 1, its name, 0; then a 0 */

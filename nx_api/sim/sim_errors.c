@@ -2,7 +2,7 @@
 #include <errno.h>
 #include <stdio.h>
 #include <unistd.h>
-#include "guest/libc_parts.h"
+#include "guest/libc/libc_parts.h"
 #include "nx_api/calls/call.h"
 
 /* If errno is of the node's last error, the text is that error's own. */

@@ -4,8 +4,8 @@
 #include <stddef.h>
 #include <string.h>
 #include "cfs/cfs.h"
-#include "guest/host_errno.h"
-#include "guest/libc_parts.h"
+#include "guest/libc/host_errno.h"
+#include "guest/libc/libc_parts.h"
 #include "nx_api/calls/file_calls.h"
 #include "os/asan_hooks.h"
 #include "os/observer.h"

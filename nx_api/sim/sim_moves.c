@@ -1,7 +1,7 @@
 /* sim_moves.c - what MPI's library asks of files (mpi_api/core/core.h): movements, as of NX's calls, under
  * the names of MPI's. */
 #include "cfs/cfs.h"
-#include "guest/descriptors.h"
+#include "guest/libc/descriptors.h"
 #include "mpi_api/core/completion.h"
 #include "nx_api/calls/call.h"
 

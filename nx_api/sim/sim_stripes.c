@@ -3,7 +3,7 @@
 #include <fcntl.h>
 #include <stdarg.h>
 #include "cfs/cfs.h"
-#include "guest/libc_parts.h"
+#include "guest/libc/libc_parts.h"
 #include "nx_api/calls/call.h"
 #include "nx_api/calls/statpfs.h"
 

@@ -4,7 +4,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 #include "asan/node_asan.h"
-#include "guest/own_memory.h"
+#include "guest/libc/own_memory.h"
 #include "guest/span.h"
 #include "kernel/crossing.h"
 #include "kernel/xalloc.h"

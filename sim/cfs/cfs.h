@@ -1,7 +1,7 @@
 /* cfs.h - the Concurrent File System of one machine: its I/O nodes and their disks, its directory process,
  * and what the nodes' programs call.
  *
- *   program                 cfs_file.c   a node's open file (guest/file.h)
+ *   program                 cfs_file.c   a node's open file (guest/libc/file.h)
  *     |                     operation.c  reads and writes: pieces of a call, some of them under way at a time
  *     |                     directory_calls.c  opening, names, sizes, pointers: questions to the directory
  *     | messages            post.c       over the machine's network, at addresses behind the nodes' (topo.h)
@@ -18,7 +18,7 @@
 #include "cfs/cfs_file.h"
 #include "cfs/directory_calls.h"
 #include "cfs/operation.h"
-#include "guest/file.h"
+#include "guest/libc/file.h"
 #include "node/system.h"
 
 struct cfs;

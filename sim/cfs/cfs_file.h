@@ -2,7 +2,7 @@
 #ifndef CFS_CFS_FILE_H
 #define CFS_CFS_FILE_H
 #include <sys/types.h>
-#include "guest/file.h"
+#include "guest/libc/file.h"
 
 struct cfs_file;
 

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include <sys/stat.h>
-#include "guest/file.h"
+#include "guest/libc/file.h"
 
 struct cfs;
 struct cfs_file;

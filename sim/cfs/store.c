@@ -9,8 +9,8 @@
 #include <string.h>
 #include <unistd.h>
 #include "files/folder_make.h"
-#include "guest/fence.h"
-#include "guest/folder_names.h"
+#include "guest/libc/fence.h"
+#include "guest/libc/folder_names.h"
 #include "kernel/xalloc.h"
 
 struct store {

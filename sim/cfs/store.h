@@ -45,7 +45,7 @@ int store_open(struct store *s, const char *path, int flags, mode_t permissions,
 int store_unlink(struct store *s, const char *path);
 int store_rename(struct store *s, const char *from, const char *to);
 int store_stat(struct store *s, const char *path, struct stat *st);
-/* Sets *names, for free(): guest/folder_names.h. */
+/* Sets *names, for free(): guest/libc/folder_names.h. */
 int store_names(struct store *s, const char *path, char **names);
 
 void store_hold(struct store_file *f); /* one more user */

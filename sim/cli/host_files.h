@@ -3,7 +3,7 @@
 #ifndef CLI_HOST_FILES_H
 #define CLI_HOST_FILES_H
 #include "cli/options.h"
-#include "guest/fence.h"
+#include "guest/libc/fence.h"
 
 /* Values of the option, PATH or PATH:ro, ended by NULL; or NULL: none. */
 struct cli_host_files {

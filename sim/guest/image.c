@@ -21,7 +21,6 @@
 #include "guest/exports.h"
 #include "guest/image.h"
 #include "guest/layer.h"
-#include "guest/libc.h"
 #include "guest/span_texts.h"
 #include "node/node.h"
 #include "guest/source_line.h"
@@ -395,7 +394,7 @@ static bool map_pages(const struct node_image *img, const struct node *n)
 }
 
 /* Fills the data of the program at base. Words need not be aligned (packed structures), hence memcpy. */
-static void fill_data(const struct node_image *img, struct node *n, char *base)
+static void fill_data(const struct node_image *img, struct node *n, node_own_data *own_data, char *base)
 {
     char *data = base + img->data_at;
     memcpy(data, img->template, img->template_bytes);
@@ -407,13 +406,13 @@ static void fill_data(const struct node_image *img, struct node *n, char *base)
     }
     for (size_t i = 0; i < img->own_count; i++) {
         const struct own_word *w = &img->own[i];
-        void **variable = node_libc_data(n, w->name);
+        void **variable = own_data(n, w->name);
         char *value = w->copy ? *variable : (char *)variable + w->addend;
         memcpy(data + w->at, &value, sizeof value);
     }
 }
 
-bool node_image_map(const struct node_image *img, struct node *n, char **error)
+bool node_image_map(const struct node_image *img, struct node *n, node_own_data *own_data, char **error)
 {
     char *base = n->program;
     assert(base);
@@ -421,7 +420,7 @@ bool node_image_map(const struct node_image *img, struct node *n, char **error)
         return elf_fail(error, "%s: cannot be loaded into %s: %s%s", img->elf->path, n->cold->name,
                         strerror(errno),
                         errno == ENOMEM ? " (vm.max_map_count may be too small for so many nodes)" : "");
-    fill_data(img, n, base);
+    fill_data(img, n, own_data, base);
     n->file = img;
     n->image = (struct nxc_image *)(base + img->object);
     n->image_bytes = img->bytes;

@@ -39,8 +39,10 @@ bool node_image_is_asan(const struct node_image *img);
 size_t node_image_bytes(const struct node_image *img);
 
 /* Maps or copies the program to n->program, relocates it and sets n->image, n->image_bytes, n->file and
- * n->data. Returns false with *error set (malloc'd) on failure. */
-bool node_image_map(const struct node_image *img, struct node *n, char **error);
+ * n->data. What exports.def names by DATA is where own_data finds it (node_libc_data). Returns false with
+ * *error set (malloc'd) on failure. */
+typedef void *node_own_data(struct node *n, const char *name);
+bool node_image_map(const struct node_image *img, struct node *n, node_own_data *own_data, char **error);
 
 /* Names the program's message layer (guest/layer.h), whose patterns last as long as the image. */
 void node_image_set_layer(struct node_image *img, char *const *layer);

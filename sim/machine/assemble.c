@@ -9,8 +9,8 @@
 #include "guest/debugger.h"
 #include "guest/heap.h"
 #include "guest/image.h"
-#include "guest/libc.h"
-#include "guest/own_memory.h"
+#include "guest/libc/libc.h"
+#include "guest/libc/own_memory.h"
 #include "guest/span.h"
 #include "lp/engine.h"
 #include "machine/crash.h"
@@ -99,7 +99,7 @@ static bool make_parts(struct node *n, const struct node_image *img, int argc, c
                    node_image_is_asan(img)))
         return lacks_addresses(n, error);
     own_put_arguments(n, argc, argv);
-    if (!node_image_map(img, n, error))
+    if (!node_image_map(img, n, node_libc_data, error))
         return false;
     *n->image->data_cache = (int64_t)n->sys->cfg->cache_bytes;
     if (node_image_is_asan(img) && !(n->asan = asan_begin(n->sys->asan, n)))

@@ -2,7 +2,7 @@
 #ifndef MACHINE_MACHINE_H
 #define MACHINE_MACHINE_H
 #include <signal.h>
-#include "guest/progress_line.h"
+#include "guest/libc/progress_line.h"
 #include "machine/debug_stop.h"
 #include "node/system.h"
 #include "nx_api/waitfor/waitfor.h"
@@ -33,7 +33,7 @@ struct machine_options {
     bool mpi_checks;     /* calls of MPI are checked: mpi_api/checks/mpi_checks.h */
     FILE *out, *err;     /* the programs' output */
     FILE *history;       /* gets a line for each message received; NULL: no history */
-    struct fence *fence; /* files of this computer that programs may use: guest/fence.h. NULL: all */
+    struct fence *fence; /* files of this computer that programs may use: guest/libc/fence.h. NULL: all */
     char *const *layer;  /* functions that reports do not name: guest/layer.h; NULL: none */
     const char *cfs_dir; /* the folder that holds the files of /cfs; NULL: a temporary one */
 };

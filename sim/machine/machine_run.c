@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include "guest/backtrace.h"
 
-#include "guest/libc.h"
+#include "guest/libc/libc.h"
 #include "guest/refusal.h"
 #include "kernel/hostclock.h"
 #include "lp/engine.h"

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <time.h>
 #include "files/virtual_time.h"
-#include "guest/progress_line.h"
+#include "guest/libc/progress_line.h"
 #include "kernel/hostclock.h"
 #include "kernel/xalloc.h"
 #include "lp/engine.h"

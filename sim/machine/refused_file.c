@@ -3,7 +3,7 @@
 #include <string.h>
 #include "guest/backtrace.h"
 #include "guest/image.h"
-#include "guest/libc.h"
+#include "guest/libc/libc.h"
 #include "nx_api/contract/backend.h"
 
 /* The function that the program called; NULL if the call does not tell. */

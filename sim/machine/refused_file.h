@@ -1,7 +1,7 @@
 /* refused_file.h - the end of a run whose program used a file that the fence refuses. */
 #ifndef MACHINE_REFUSED_FILE_H
 #define MACHINE_REFUSED_FILE_H
-#include "guest/fence.h"
+#include "guest/libc/fence.h"
 #include "node/node.h"
 
 /* On the node's stack. Writes out what the program has printed; the message names file, call and lines, and

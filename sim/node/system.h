@@ -10,7 +10,7 @@
 #include "timing/timing.h"
 
 struct fence;
-struct fence_refusal; /* guest/fence.h */
+struct fence_refusal; /* guest/libc/fence.h */
 struct recorder;
 struct numbering; /* replay/numbering.h */
 struct order_policy;

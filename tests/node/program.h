@@ -14,7 +14,7 @@
 #include <unistd.h>
 #include <cmocka.h>
 #include "guest/image.h"
-#include "guest/libc.h"
+#include "guest/libc/libc.h"
 #include "guest/backtrace.h"
 #include "guest/span_texts.h"
 #include "lp/engine.h"

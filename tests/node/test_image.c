@@ -328,7 +328,7 @@ static void damaged_files_do_no_harm(void **state)
         struct node_image *img = node_image_open(path, &error);
         assert_true(img != NULL || error != NULL);
         if (img != NULL)
-            node_image_map(img, x.node[0], &error);
+            node_image_map(img, x.node[0], node_libc_data, &error);
         node_image_close(img);
         free(error);
         put_byte(f, where, b.p[where]);

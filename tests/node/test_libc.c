@@ -1,5 +1,5 @@
-/* A node's part of the C library: sim/guest/libc.h, streams.h. Each test runs a small program on one or two
- * nodes. */
+/* A node's part of the C library: sim/guest/libc/libc.h, streams.h. Each test runs a small program on one or
+ * two nodes. */
 #include "program.h"
 
 /* Runs the body of a main() on n nodes; argv[1] is a directory for files. */

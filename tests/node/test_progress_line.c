@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "guest/progress_line.h"
+#include "guest/libc/progress_line.h"
 
 enum { COLUMNS = 100 };
 

@@ -1,0 +1,235 @@
+/* libc_time.c - the C library's clocks, which show the node's virtual time.
+ *
+ * When a program starts, the calendar always shows the same date: results must not depend on the day on
+ * which they are made. */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <sys/times.h>
+#include <time.h>
+#include <unistd.h>
+#include "kernel/xalloc.h"
+#include "lp/engine.h"
+#include "guest/libc/libc_parts.h"
+#include "node/node.h"
+#include "node/system.h"
+#include "lp/clock.h"
+#include "guest/libc/host_errno.h"
+#include "node/self.h"
+#include "os/front.h"
+#include "os/gate.h"
+
+#define EPOCH ((time_t)725846400) /* 1993-01-01 00:00:00 UTC */
+
+/* The time at which a clock call returns to the program, and the node's idle and system time so far. */
+struct reading {
+    vtime now, idle, system;
+};
+
+static struct reading read_clock(const char *call)
+{
+    struct node *n = node_self();
+    node_enter(n, call);
+    node_spend(n, n->sys->cfg->clock_call_ps + n->sys->cfg->unix_call_ps);
+    struct reading r = {node_now(n), n->stats.idle, n->times.system};
+    node_leave(n);
+    return r;
+}
+
+static vtime clock_call(const char *call)
+{
+    return read_clock(call).now;
+}
+
+time_t node_time(time_t *t)
+{
+    time_t now = EPOCH + (time_t)(clock_call("time") / VT_SECOND);
+    if (t != NULL)
+        *t = now;
+    return now;
+}
+
+/* Processor time is the node's time less its idle time. */
+clock_t node_clock(void)
+{
+    struct reading r = read_clock("clock");
+    return (clock_t)((r.now - r.idle) / (VT_SECOND / CLOCKS_PER_SEC));
+}
+
+int node_gettimeofday(struct timeval *tv, void *zone)
+{
+    vtime now = clock_call("gettimeofday");
+    if (zone != NULL)
+        *(struct timezone *)zone = (struct timezone){0};
+    tv->tv_sec = EPOCH + (time_t)(now / VT_SECOND);
+    tv->tv_usec = (suseconds_t)(now % VT_SECOND / VT_MICROSECOND);
+    return 0;
+}
+
+/* All clocks show one time: CLOCK_REALTIME from EPOCH on, the others from the program's start. */
+int node_clock_gettime(clockid_t clock, struct timespec *ts)
+{
+    struct reading r = read_clock("clock_gettime");
+    bool own = clock == CLOCK_PROCESS_CPUTIME_ID || clock == CLOCK_THREAD_CPUTIME_ID;
+    vtime now = own ? r.now - r.idle : r.now;
+    ts->tv_sec = (time_t)(now / VT_SECOND) + (clock == CLOCK_REALTIME ? EPOCH : 0);
+    ts->tv_nsec = (long)(now % VT_SECOND / (VT_SECOND / 1000000000));
+    return 0;
+}
+
+/* Reports user and system time only; the other figures are 0. */
+int node_getrusage(int who, struct rusage *use)
+{
+    struct reading r = read_clock("getrusage");
+    vtime user = r.now - r.idle - r.system;
+    (void)who;
+    *use = (struct rusage){
+        .ru_utime = {(time_t)(user / VT_SECOND), (suseconds_t)(user % VT_SECOND / VT_MICROSECOND)},
+        .ru_stime = {(time_t)(r.system / VT_SECOND), (suseconds_t)(r.system % VT_SECOND / VT_MICROSECOND)}};
+    return 0;
+}
+
+/* Counts in ticks of sysconf(_SC_CLK_TCK), from the program's start. A program has no children. */
+clock_t node_times(struct tms *t)
+{
+    struct reading r = read_clock("times");
+    vtime tick = VT_SECOND / (vtime)sysconf(_SC_CLK_TCK);
+    if (t != NULL)
+        *t = (struct tms){.tms_utime = (clock_t)((r.now - r.idle - r.system) / tick),
+                          .tms_stime = (clock_t)(r.system / tick)};
+    return (clock_t)(r.now / tick);
+}
+
+/* The alarm's signal never comes: a program gets no signals but those that end it. The answer is what was
+ * left of the alarm before. */
+unsigned node_alarm(unsigned seconds)
+{
+    vtime *at = &libc_of(node_self())->alarm_at, now = clock_call("alarm");
+    vtime left = *at > now ? *at - now : 0;
+    *at = seconds > 0 ? now + seconds * VT_SECOND : 0;
+    return (unsigned)((left + VT_SECOND - 1) / VT_SECOND);
+}
+
+/* The format with GNU's %s replaced by the seconds: the host's strftime would compute them for the host's
+ * time zone. For free(). */
+static char *without_seconds(const char *format, const struct tm *tm)
+{
+    struct tm copy = *tm;
+    char seconds[24], *made = xmalloc(strlen(format) * sizeof seconds + 1), *to = made;
+    snprintf(seconds, sizeof seconds, "%lld", (long long)timegm(&copy));
+    for (; *format; format++) {
+        if (format[0] == '%' && format[1] == 's')
+            to = stpcpy(to, seconds), format++;
+        else if (format[0] == '%' && format[1] != 0)
+            *to++ = *format++, *to++ = *format;
+        else
+            *to++ = *format;
+    }
+    *to = 0;
+    return made;
+}
+
+size_t node_strftime(char *buf, size_t room, const char *format, const struct tm *tm)
+{
+    char *plain = without_seconds(format, tm);
+    size_t len = strftime(buf, room, plain, tm);
+    free(plain);
+    return len;
+}
+
+/* But GNU's %s, which would make a time of the host's zone: there it ends. */
+char *node_strptime(const char *text, const char *format, struct tm *tm)
+{
+    for (const char *at = format; (at = strchr(at, '%')) != NULL && at[1] != 0; at += 2)
+        if (at[1] == 's')
+            return NULL;
+    return strptime(text, format, tm);
+}
+
+/* The zone's name is the node's own, too. */
+struct tm *node_gmtime_r(const time_t *t, struct tm *tm)
+{
+    struct tm *answer = gmtime_r(t, tm);
+    if (answer)
+        tm->tm_zone = own_memory_text(node_self(), tm->tm_zone);
+    return answer;
+}
+
+/* The machine's time zone is UTC. */
+struct tm *node_localtime_r(const time_t *t, struct tm *tm)
+{
+    return node_gmtime_r(t, tm);
+}
+
+static bool is_over(struct node *n, void *until)
+{
+    return node_now(n) >= *(vtime *)until;
+}
+
+/* Waits for t. Meanwhile messages are received and handlers run. */
+static void pause_for(const char *call, vtime t)
+{
+    struct node *n = node_self();
+    node_enter(n, call);
+    vtime until = node_now(n) + t;
+    if (t > 0) {
+        lp_wake(&n->lp, until);
+        node_wait(n, is_over, &until);
+    }
+    node_leave(n);
+}
+
+/* Returns when the alarm is due, as if its signal had come; with no alarm set, at once. */
+int node_pause(void)
+{
+    vtime *at = &libc_of(node_self())->alarm_at, now = clock_call("pause");
+    pause_for("pause", *at > now ? *at - now : 0);
+    *at = 0;
+    node_set_errno(EINTR);
+    return -1;
+}
+
+int node_sigpause(int number)
+{
+    (void)number;
+    return node_pause();
+}
+
+/* By the name that X/Open's sigpause has in the host's header. */
+int node___xpg_sigpause(int number)
+{
+    return node_sigpause(number);
+}
+
+int node_sigsuspend(const void *mask)
+{
+    (void)mask;
+    return node_pause();
+}
+
+unsigned node_sleep(unsigned seconds)
+{
+    pause_for("sleep", seconds * VT_SECOND);
+    return 0;
+}
+
+int node_usleep(unsigned microseconds)
+{
+    pause_for("usleep", microseconds * VT_MICROSECOND);
+    return 0;
+}
+
+int node_nanosleep(const struct timespec *t, struct timespec *left)
+{
+    if (t->tv_sec < 0 || t->tv_nsec < 0 || t->tv_nsec >= 1000000000) {
+        errno = EINVAL;
+        return -1;
+    }
+    pause_for("nanosleep", (vtime)t->tv_sec * VT_SECOND + (vtime)t->tv_nsec * (VT_SECOND / 1000000000));
+    if (left != NULL)
+        *left = (struct timespec){0};
+    return 0;
+}
