@@ -84,7 +84,7 @@ static uint8_t class_of(const struct fits_node *k, const char *name)
 
 static struct mpi_place place_of(const struct fits_node *k, const struct node *n)
 {
-    return k->call ? mpi_place(n, k->call) : (struct mpi_place){.call = "MPI", .file = n->file};
+    return k->call ? mpi_place(n, k->call) : (struct mpi_place){.call = "MPI", .file = n->guest.file};
 }
 
 void fits_sends(struct fits_node *k, struct fits *f, struct node *n, const struct observed_send *what)

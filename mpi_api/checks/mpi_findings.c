@@ -38,11 +38,11 @@ void mpi_findings_free(struct mpi_findings *all)
 
 struct mpi_place mpi_place(const struct node *n, const struct nxm_told *c)
 {
-    struct mpi_place p = {.call = told_name(c), .file = n->file};
+    struct mpi_place p = {.call = told_name(c), .file = n->guest.file};
     const void *const *frame = c->frame;
     uintptr_t returns = (uintptr_t)c->returns;
-    for (int i = 0; i < MPI_FRAMES && returns - (uintptr_t)n->program < n->image_bytes; i++) {
-        p.at[i] = (uint32_t)(returns - (uintptr_t)n->program);
+    for (int i = 0; i < MPI_FRAMES && returns - (uintptr_t)n->guest.program < n->guest.image_bytes; i++) {
+        p.at[i] = (uint32_t)(returns - (uintptr_t)n->guest.program);
         if (!node_may_be_frame(n, (uintptr_t)frame))
             break;
         returns = (uintptr_t)frame[1];

@@ -54,7 +54,7 @@ static __attribute__((noinline, cold)) void fail_context(struct node *n)
         n,
         "%s: the communicator's number is too large: with %u processes, each can begin %u communicators, "
         "windows and files in all: reuse them",
-        n->call, n->sys->count, (INT32_MAX - NXM_FIRST_CONTEXT) / 2 / n->sys->count);
+        n->call.name, n->sys->count, (INT32_MAX - NXM_FIRST_CONTEXT) / 2 / n->sys->count);
 }
 
 static struct outgoing outgoing_of(struct node *n, const struct nxm_envelope *e, const void *buf, long len,
@@ -206,7 +206,7 @@ long node_nxm_fail(int call, const char *text);
 long node_nxm_fail(int call, const char *text)
 {
     struct node *n = enter(call);
-    node_fail(n, "%s: %s", n->call, text);
+    node_fail(n, "%s: %s", n->call.name, text);
 }
 
 long node_nxm_number(enum nxm_number which);

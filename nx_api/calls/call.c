@@ -125,7 +125,7 @@ static _Noreturn void wrong(struct node *n, const char *parameters, ...)
     }
     va_end(ap);
     fclose(f);
-    node_fail(n, "%s%s%s(%s): %s", outer ? outer : "", outer ? ": " : "", n->call, text,
+    node_fail(n, "%s%s%s(%s): %s", outer ? outer : "", outer ? ": " : "", n->call.name, text,
               nx_last_error(n)->text);
 }
 
@@ -157,7 +157,7 @@ static void leave(struct node *n)
 long nx_plain(struct node *n, long result)
 {
     if (result < 0)
-        node_fail(n, "%s: %s", n->call, nx_last_error(n)->text);
+        node_fail(n, "%s: %s", n->call.name, nx_last_error(n)->text);
     leave(n);
     return result;
 }

@@ -157,7 +157,7 @@ void mailbox_post(struct node *n, struct receive *r)
 {
     struct mpi_mailbox *b = n->mailbox;
     struct message *m = matching_first(n, &r->select, b->unexpected), **link = &b->unexpected;
-    r->place = n->caller;
+    r->place = n->call.caller;
     RECORD_ORDER(receive, r);
     past_receive(n, r);
     if (!m) {
@@ -265,10 +265,7 @@ bool mpi_mailbox_run_handler(struct node *n)
         return false;
     struct mpi_due d = *b->due;
     struct node_info info = n->info;
-    const char *call = n->call;
-    long type = n->call_type;
-    bool has_type = n->call_has_type;
-    uintptr_t caller = n->caller;
+    struct mpi_call call = n->call;
     int saved_errno = n->saved_errno;
     bool (*ready)(struct node *, void *) = n->ready;
     free(b->due);
@@ -278,14 +275,14 @@ bool mpi_mailbox_run_handler(struct node *n)
     count_handlers(b, -1);
     RECORD_ORDER(handler);
     n->in_handler = true;
-    n->call = NULL;
+    n->call.name = NULL;
     n->ready = NULL;
     SUMMARY(handler);
     call_handler(n, &d);
     SUMMARY(handled);
     n->in_handler = false;
     n->ready = ready;
-    n->call = call, n->call_type = type, n->call_has_type = has_type, n->caller = caller;
+    n->call = call;
     n->info = info;
     n->saved_errno = saved_errno;
     return true;

@@ -83,9 +83,9 @@ static bool run_handlers(struct node *n)
 static inline void begin_call(struct node *n, const char *call)
 {
     n->saved_errno = errno;
-    n->call = call;
-    n->caller = stack_caller(__builtin_frame_address(0));
-    n->call_has_type = false;
+    n->call.name = call;
+    n->call.caller = stack_caller(__builtin_frame_address(0));
+    n->call.has_type = false;
 }
 
 void node_enter(struct node *n, const char *call)
@@ -107,7 +107,7 @@ void node_enter_early(struct node *n, const char *call)
 void node_leave(struct node *n)
 {
     run_handlers(n);
-    n->call = NULL;
+    n->call.name = NULL;
     errno = n->saved_errno;
 }
 
@@ -217,8 +217,8 @@ void nx_begins_call(struct node *n)
 
 void nx_about(struct node *n, long what)
 {
-    n->call_type = what;
-    n->call_has_type = true;
+    n->call.type = what;
+    n->call.has_type = true;
 }
 
 void nx_awaits(struct node *n, const struct receive *r, const struct send *s)

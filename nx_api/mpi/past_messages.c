@@ -26,8 +26,8 @@ void past_taken(const struct node *n, const struct receive *r)
 {
     struct past_item *i = add(&taken, r->handler ? WAITFOR_HANDLED : WAITFOR_RECEIVED, r->m);
     i->by = r->select;
-    i->call = r->handler ? "hrecv" : n->call;
-    i->place = r->handler ? (uintptr_t)r->handler + 1 : n->caller;
+    i->call = r->handler ? "hrecv" : n->call.name;
+    i->place = r->handler ? (uintptr_t)r->handler + 1 : n->call.caller;
 }
 
 void past_lost(enum waitfor_fate fate, const struct message *m)

@@ -56,7 +56,7 @@ static struct summary_wait *wait_of(const char *call)
 
 void summary_go_on(const struct node *n)
 {
-    struct summary_wait *w = in_handler || !n->call ? NULL : wait_of(n->call);
+    struct summary_wait *w = in_handler || !n->call.name ? NULL : wait_of(n->call.name);
     if (!w)
         return;
     w->times++;

@@ -24,15 +24,15 @@ static void append_state(struct safe_text *t, const char *what)
     safe_append(t, what);
     if (n->over) {
         safe_append(t, " after its program's end");
-    } else if (n->call) {
+    } else if (n->call.name) {
         safe_append(t, " in ");
-        safe_append(t, n->call);
+        safe_append(t, n->call.name);
     } else {
         safe_append(t, " computing");
     }
-    if (!n->over && n->call && n->call_has_type) {
+    if (!n->over && n->call.name && n->call.has_type) {
         safe_append(t, ", of type or id ");
-        safe_append_number(t, n->call_type);
+        safe_append_number(t, n->call.type);
     }
     if (n->in_handler)
         safe_append(t, ", in a handler");

@@ -70,9 +70,9 @@ static void tell_node(struct node *n, struct flat *f)
     node->since_ps = (uint64_t)(n->since * PS);
     if (n->over)
         return;
-    if (n->call)
-        strncpy(f->call, n->call, MOST_CALL - 1);
-    node->has_type = n->call_has_type, node->type = n->call_type;
+    if (n->call.name)
+        strncpy(f->call, n->call.name, MOST_CALL - 1);
+    node->has_type = n->call.has_type, node->type = n->call.type;
     node->masked = n->masked;
     f->frames = stack_walk(f->stack, MOST_FRAMES);
     tell_wait(n, node);

@@ -81,7 +81,7 @@ long nxs_masktrap(word state)
     node_spend(n, n->sys->cfg->clock_call_ps);
     nx_spend_kernel(n);
     before = handlers_mask(n, state != 0);
-    if (before && !n->masked)
+    if (before && !n->handlers.masked)
         handlers_open(n);
     node_order(n);
     for (vtime now = node_now(n); handlers_run_held(n, now);)

@@ -72,7 +72,7 @@ uint32_t nx_message_ids(const struct node *n)
 /* The host program must not send the library's own messages. */
 long nx_check_way(struct node *n, long node)
 {
-    if (n->is_host && mailbox_is_library(n->call_type))
+    if (n->is_host && mailbox_is_library(n->call.type))
         return node_error(n, EQNODE,
                           "the global operations are the nodes': the host program takes no part in them");
     return n->is_host ? cube_check_send(n, node) : 0;
@@ -102,7 +102,7 @@ static void hand_over(struct node *n, struct message *m, uint64_t receivers)
 bool nx_goes_at_once(const struct node *n, const struct outgoing *o)
 {
     return !o->held && protocol_is_eager(n->sys->schedule.protocol, (word)o->type, (size_t)o->len) &&
-           !n->armed;
+           !n->handlers.armed;
 }
 
 void nx_send(struct node *n, const struct outgoing *o, struct send *s)

@@ -68,11 +68,11 @@ struct process_end nx_process_end(const struct node *n, uint32_t node)
 {
     const struct node *other = n->sys->nodes[node];
     return (struct process_end){
-        .awaitable = other != n && !other->end_noticed && other->end != NODE_NOT_LOADED,
+        .awaitable = other != n && !other->end.noticed && other->end.how != NODE_NOT_LOADED,
         .ended = other->lp.state == LP_ENDED,
         .order = other->stats.ended_at,
         .pid = other->pid,
-        .status = other->exit_code,
+        .status = other->end.exit_code,
     };
 }
 

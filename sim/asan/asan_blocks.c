@@ -69,7 +69,7 @@ static void *find_room(struct node *n, size_t bytes)
 static void mark_up_to(struct node *n, uintptr_t end)
 {
     struct node_asan *a = n->asan;
-    uintptr_t last = (uintptr_t)n->heap_start + n->region->heap_bytes;
+    uintptr_t last = (uintptr_t)n->guest.heap_start + n->guest.region->heap_bytes;
     if (end <= a->marked)
         return;
     end = end + MARKED_AT_ONCE < last ? end + MARKED_AT_ONCE : last;
@@ -100,7 +100,7 @@ void *asan_give(struct node *n, void *counted, size_t align, size_t bytes, const
 
 static bool is_of_heap(const struct node *n, uintptr_t at)
 {
-    return at - (uintptr_t)n->heap_start < n->region->heap_bytes;
+    return at - (uintptr_t)n->guest.heap_start < n->guest.region->heap_bytes;
 }
 
 static bool is_head(const struct node *n, const struct asan_block *b)
@@ -146,7 +146,7 @@ void asan_take(struct node *n, void *block, const void *frame)
     asan_shadow_mark(&a->shadow, asan_block_begin(b), (b->bytes + ALIGNED - 1) / ALIGNED * ALIGNED,
                      NXC_ASAN_FREED);
     keep(a, b);
-    while (a->freed_bytes > n->region->heap_bytes / FREED_SHARE)
+    while (a->freed_bytes > n->guest.region->heap_bytes / FREED_SHARE)
         release_oldest(a);
 }
 
@@ -162,7 +162,7 @@ static uintptr_t distance(const struct asan_block *b, uintptr_t at)
 const struct asan_block *asan_block_near(const struct node *n, uintptr_t at)
 {
     const struct asan_block *below = NULL, *above = NULL;
-    uintptr_t here = at / ALIGNED * ALIGNED - FRONT, lowest = (uintptr_t)n->heap_start;
+    uintptr_t here = at / ALIGNED * ALIGNED - FRONT, lowest = (uintptr_t)n->guest.heap_start;
     if (!is_of_heap(n, at))
         return NULL;
     for (uintptr_t i = here; !below && i >= lowest; i -= ALIGNED)

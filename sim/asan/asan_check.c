@@ -90,15 +90,15 @@ static void ignored(void *ctx, size_t used)
 
 static bool make_parts(struct node_asan *a, const struct node *n)
 {
-    size_t heap = n->region->heap_bytes;
+    size_t heap = n->guest.region->heap_bytes;
     void *counted =
         mmap(NULL, heap, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (counted == MAP_FAILED)
         return false;
     a->counted = counted, a->counted_bytes = heap;
-    a->blocks =
-        node_heap_new(n->heap_start, n->region->heap_bytes - own_memory_bytes(n), always, ignored, NULL);
-    a->marked = (uintptr_t)n->heap_start;
+    a->blocks = node_heap_new(n->guest.heap_start, n->guest.region->heap_bytes - own_memory_bytes(n), always,
+                              ignored, NULL);
+    a->marked = (uintptr_t)n->guest.heap_start;
     a->stacks = asan_stacks_new();
     return true;
 }
@@ -106,8 +106,8 @@ static bool make_parts(struct node_asan *a, const struct node *n)
 /* From now on the program looks at the shadow, and tells of what it finds there. */
 static void start(const struct node *n, const struct asan_shadow *s)
 {
-    const struct nxc_asan *image = n->image->races->asan;
-    *n->image->races->on = 1;
+    const struct nxc_asan *image = n->guest.image->races->asan;
+    *n->guest.image->races->on = 1;
     *image->low = s->low;
     *image->shadow = s->of;
     *image->bytes = s->bytes;
@@ -115,12 +115,12 @@ static void start(const struct node *n, const struct asan_shadow *s)
 
 static bool make_shadow(struct asan *all, struct asan_shadow *s, const struct node *n)
 {
-    const struct node_region *r = n->region;
+    const struct node_region *r = n->guest.region;
     if (all->others < 0)
         all->others = asan_shadow_others();
     return all->others >= 0 && asan_shadow_begin(s, (uintptr_t)r, NODE_REGION, all->others) &&
-           asan_shadow_own(s, (uintptr_t)n->span, (size_t)1 << r->shift) &&
-           asan_shadow_own(s, (uintptr_t)n->heap_start, r->heap_bytes);
+           asan_shadow_own(s, (uintptr_t)n->guest.span, (size_t)1 << r->shift) &&
+           asan_shadow_own(s, (uintptr_t)n->guest.heap_start, r->heap_bytes);
 }
 
 struct node_asan *asan_begin(struct asan *all, struct node *n)
@@ -130,7 +130,7 @@ struct node_asan *asan_begin(struct asan *all, struct node *n)
         free_parts(a);
         return NULL;
     }
-    mark_globals(&a->shadow, n->image->races->asan);
+    mark_globals(&a->shadow, n->guest.image->races->asan);
     start(n, &a->shadow);
     return a;
 }
@@ -156,13 +156,13 @@ static uintptr_t stack_pointer(const struct node *n, const struct asan_access *a
         return frame ? crossing_stack_pointer() : 0;
     do /* the frames of what nxcc adds to programs */
         frame = (const uintptr_t *)frame[0];
-    while (asan_is_of_nxcc(n, frame[1] - (uintptr_t)n->program));
+    while (asan_is_of_nxcc(n, frame[1] - (uintptr_t)n->guest.program));
     return (uintptr_t)(frame + 2);
 }
 
 static bool is_on_stack(const struct node *n, uintptr_t at)
 {
-    return at - (uintptr_t)n->stack < n->stack_bytes;
+    return at - (uintptr_t)n->guest.stack < n->guest.stack_bytes;
 }
 
 /* Below the stack pointer nobody has variables. Above, another frame has taken the place: one that has marked
@@ -206,7 +206,7 @@ void asan_told(struct node *n, const void *at, size_t bytes, const struct nxc_ra
 
 void asan_in_call(struct node *n, bool write, const void *at, size_t bytes, const void *frame)
 {
-    asan_in_library(n, n->call, write, at, bytes, frame);
+    asan_in_library(n, n->call.name, write, at, bytes, frame);
 }
 
 void asan_in_library(struct node *n, const char *call, bool write, const void *at, size_t bytes,
@@ -218,5 +218,5 @@ void asan_in_library(struct node *n, const char *call, bool write, const void *a
 
 void asan_jumped(struct node *n)
 {
-    asan_shadow_forget(&n->asan->shadow, (uintptr_t)n->stack, n->stack_bytes);
+    asan_shadow_forget(&n->asan->shadow, (uintptr_t)n->guest.stack, n->guest.stack_bytes);
 }

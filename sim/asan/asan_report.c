@@ -25,15 +25,15 @@ struct object {
 static void print_call(FILE *f, const struct node *n, const char *how, size_t offset)
 {
     char line[200];
-    const char *name = node_image_function_name(n->file, offset);
+    const char *name = node_image_function_name(n->guest.file, offset);
     fprintf(f, "\n    %s %s", how, name ? name : "the program");
-    if (node_image_line(n->file, offset, line, sizeof line))
+    if (node_image_line(n->guest.file, offset, line, sizeof line))
         fprintf(f, " (%s)", line);
 }
 
 bool asan_is_of_nxcc(const struct node *n, size_t returns)
 {
-    const char *name = node_image_function_name(n->file, returns - 1);
+    const char *name = node_image_function_name(n->guest.file, returns - 1);
     return name && strncmp(name, "nxc_", 4) == 0;
 }
 
@@ -41,7 +41,7 @@ static void print_stack(FILE *f, const struct node *n, const struct asan_stack *
 {
     bool any = false;
     for (uint32_t i = 0; s && i < s->depth; i++) {
-        if (asan_is_of_nxcc(n, s->returns[i]) || node_image_in_mpi(n->file, s->returns[i] - 1))
+        if (asan_is_of_nxcc(n, s->returns[i]) || node_image_in_mpi(n->guest.file, s->returns[i] - 1))
             continue;
         print_call(f, n, any ? "called from" : "in", s->returns[i] - 1);
         any = true;
@@ -84,7 +84,7 @@ static struct object of_block(const struct node *n, uintptr_t at)
 /* The variable of a file that begins last before an address; of one, the largest. */
 static struct object of_global(const struct node *n, uintptr_t at)
 {
-    const struct nxc_asan *image = n->image->races->asan;
+    const struct nxc_asan *image = n->guest.image->races->asan;
     struct object o = {.bytes = SIZE_MAX};
     for (const struct nxc_asan_global *g = image->globals_begin; g < image->globals_end; g++) {
         uintptr_t begin = (uintptr_t)&g->at + (uintptr_t)g->at;
@@ -108,7 +108,7 @@ static struct object of_local(const struct node *n, uintptr_t at)
     while (s->of[(zone - NXC_ASAN_GRAIN - s->low) / NXC_ASAN_GRAIN] == NXC_ASAN_LOCAL)
         zone -= NXC_ASAN_GRAIN;
     const struct nxc_asan_local *l = (const struct nxc_asan_local *)(zone + NXC_ASAN_LOCAL_AT);
-    const struct nxc_races *sites = n->image->races;
+    const struct nxc_races *sites = n->guest.image->races;
     if (l->site < sites->sites_begin || l->site >= sites->sites_end || !(l->site->flags & NXC_RACE_LOCAL))
         return (struct object){.bytes = SIZE_MAX};
     return (struct object){zone - nxc_asan_zone_at(l->bytes), l->bytes,

@@ -35,7 +35,7 @@ static void walk(const struct node *n, const void *frame, struct asan_stack *s)
     int depth = backtrace_walk(n, (uintptr_t)frame, returns, MOST_FRAMES);
     for (int i = 0; i < depth && s->depth < ASAN_DEEPEST; i++)
         if (backtrace_in_program(n, returns[i]))
-            s->returns[s->depth++] = (uint32_t)(returns[i] - (uintptr_t)n->program);
+            s->returns[s->depth++] = (uint32_t)(returns[i] - (uintptr_t)n->guest.program);
 }
 
 static uint32_t bucket_of(const struct asan_stack *s)

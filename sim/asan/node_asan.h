@@ -4,9 +4,9 @@
  * node's memory is in use, as without --asan. Its blocks are nobody's. What the program gets lies in memory
  * beside it, between red zones, and is given out again only when much else has been freed:
  *
- *     n->heap, elsewhere            | counted |
- *                                        ^
- *     blocks, at n->heap_start      | asan_block | the program's bytes | red zone |
+ *     n->guest.heap, elsewhere       | counted |
+ *                                         ^
+ *     blocks, at n->guest.heap_start | asan_block | the program's bytes | red zone |
  */
 #ifndef ASAN_NODE_ASAN_H
 #define ASAN_NODE_ASAN_H

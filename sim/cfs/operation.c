@@ -373,7 +373,7 @@ static void position_record(struct cfs_file *f, struct cfs_op *op)
     struct node *n = op->node;
     if (!modes_record(cfs_group(f), f->round++, n->id, n->sys->count, op->bytes, &op->at, &others))
         node_fail(n, "%s: in I/O mode 3 all nodes give the same length: %lu bytes here, %lu elsewhere (%s)",
-                  n->call, op->bytes, others, f->store->path);
+                  n->call.name, op->bytes, others, f->store->path);
     if (!op->write)
         op->bytes = cfs_readable(op->store, op->at, op->bytes);
 }
@@ -400,8 +400,8 @@ static void start_unison(struct cfs_file *f, struct cfs_op *op)
         node_fail(n,
                   "%s: in I/O mode 4 all nodes give the same calls: a %s of %lu bytes at %lu here, "
                   "a %s of %lu at %lu elsewhere (%s)",
-                  n->call, call.write ? "write" : "read", call.asked, call.at, other.write ? "write" : "read",
-                  other.asked, other.at, f->store->path);
+                  n->call.name, call.write ? "write" : "read", call.asked, call.at,
+                  other.write ? "write" : "read", other.asked, other.at, f->store->path);
     if (first) {
         op->round = r;
         position_own(f, op);

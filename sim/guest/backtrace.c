@@ -18,9 +18,10 @@ static bool lies_in(uintptr_t address, const char *begin, size_t bytes)
 /* A program may also have stacks of its own making, in its data or heap. */
 bool backtrace_in_stack(const struct node *n, uintptr_t address)
 {
-    return lies_in(address, n->stack, n->stack_bytes) ||
-           lies_in(address, n->system_stack, NODE_SYSTEM_STACK) ||
-           lies_in(address, n->program, n->image_bytes) || lies_in(address, n->heap_start, n->heap_used);
+    return lies_in(address, n->guest.stack, n->guest.stack_bytes) ||
+           lies_in(address, n->guest.system_stack, NODE_SYSTEM_STACK) ||
+           lies_in(address, n->guest.program, n->guest.image_bytes) ||
+           lies_in(address, n->guest.heap_start, n->memory.heap);
 }
 
 int backtrace_walk(const struct node *n, uintptr_t frame, uintptr_t *returns, int most)
@@ -38,7 +39,7 @@ int backtrace_walk(const struct node *n, uintptr_t frame, uintptr_t *returns, in
 
 bool backtrace_in_program(const struct node *n, uintptr_t address)
 {
-    return address - (uintptr_t)n->program < n->image_bytes;
+    return address - (uintptr_t)n->guest.program < n->guest.image_bytes;
 }
 
 void backtrace_print(FILE *f, const struct node *n, const char *how, uintptr_t address)
@@ -46,13 +47,14 @@ void backtrace_print(FILE *f, const struct node *n, const char *how, uintptr_t a
     char where[256];
     if (backtrace_in_program(n, address))
         fprintf(f, "\n  %s %s", how,
-                node_image_where(n->file, address - (uintptr_t)n->program, where, sizeof where));
+                node_image_where(n->guest.file, address - (uintptr_t)n->guest.program, where, sizeof where));
 }
 
 /* (How MPI's library is made is no concern of the program's.) */
 static bool is_of_mpi(const struct node *n, uintptr_t address)
 {
-    return !backtrace_in_program(n, address) || node_image_in_mpi(n->file, address - (uintptr_t)n->program);
+    return !backtrace_in_program(n, address) ||
+           node_image_in_mpi(n->guest.file, address - (uintptr_t)n->guest.program);
 }
 
 void backtrace_print_calls(FILE *f, const struct node *n, uintptr_t frame)
@@ -70,9 +72,10 @@ const char *backtrace_mpi_call(const struct node *n, const uintptr_t *frames, in
     const char *call = NULL;
     int i = 0;
     for (; i < depth && is_of_mpi(n, frames[i]); i++) {
-        const char *name = backtrace_in_program(n, frames[i])
-                               ? node_image_function_name(n->file, frames[i] - (uintptr_t)n->program)
-                               : NULL;
+        const char *name =
+            backtrace_in_program(n, frames[i])
+                ? node_image_function_name(n->guest.file, frames[i] - (uintptr_t)n->guest.program)
+                : NULL;
         if (name && strncmp(name, "PMPI_", 5) == 0)
             call = layer_called(name);
     }
@@ -172,7 +175,7 @@ static const struct found *line_at(struct backtrace_lines *t, const struct node 
 {
     if (!backtrace_in_program(n, address - 1))
         return NULL;
-    const struct found *f = found_at(t, n->file, address - 1 - (uintptr_t)n->program);
+    const struct found *f = found_at(t, n->guest.file, address - 1 - (uintptr_t)n->guest.program);
     return f && *f->text ? f : NULL;
 }
 
@@ -204,7 +207,7 @@ const char *backtrace_line_from(struct backtrace_lines *t, const struct node *n,
 
 const char *backtrace_line(struct backtrace_lines *t, const struct node *n)
 {
-    return backtrace_line_from(t, n, n->frame);
+    return backtrace_line_from(t, n, n->wait.frame);
 }
 
 const char *backtrace_line_away(struct backtrace_lines *t, const struct node *n)

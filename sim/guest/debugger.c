@@ -138,10 +138,11 @@ void debugger_add(struct debugger *d, const struct node *n)
 {
     struct program *p = xcalloc(1, sizeof *p);
     p->node = n;
-    p->map = (struct link_map){.l_addr = (uintptr_t)n->program,
-                               .l_name = file_for(d, n->file),
-                               .l_ld = (ElfW(Dyn) *)(n->program + node_image_elf(n->file)->dynamic_at),
-                               .l_prev = d->last};
+    p->map =
+        (struct link_map){.l_addr = (uintptr_t)n->guest.program,
+                          .l_name = file_for(d, n->guest.file),
+                          .l_ld = (ElfW(Dyn) *)(n->guest.program + node_image_elf(n->guest.file)->dynamic_at),
+                          .l_prev = d->last};
     if (d->last)
         d->last->l_next = &p->map;
     else

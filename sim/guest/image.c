@@ -376,10 +376,11 @@ static bool map_part(const struct node_image *img, const struct node *n, const s
 {
     const struct elf_file *f = img->elf;
     const unsigned char *bytes = f->bytes + s->file_offset;
-    char *at = n->program + s->at;
-    if (n->text == TEXT_TO_SHARE)
-        return span_texts_write(n->sys->texts, (size_t)(at - (char *)n->region), bytes, part_bytes(f, s));
-    if (n->region->copies_text)
+    char *at = n->guest.program + s->at;
+    if (n->guest.text == TEXT_TO_SHARE)
+        return span_texts_write(n->sys->texts, (size_t)(at - (char *)n->guest.region), bytes,
+                                part_bytes(f, s));
+    if (n->guest.region->copies_text)
         return memcpy(at, bytes, part_bytes(f, s));
     return mmap(at, s->bytes, s->protection, MAP_PRIVATE | MAP_FIXED, f->fd, (off_t)s->file_offset) !=
            MAP_FAILED;
@@ -387,7 +388,7 @@ static bool map_part(const struct node_image *img, const struct node *n, const s
 
 static bool map_pages(const struct node_image *img, const struct node *n)
 {
-    for (size_t i = 0; i < img->shared_count && n->text != TEXT_SHARED; i++)
+    for (size_t i = 0; i < img->shared_count && n->guest.text != TEXT_SHARED; i++)
         if (!map_part(img, n, &img->shared[i]))
             return false;
     return true;
@@ -414,25 +415,25 @@ static void fill_data(const struct node_image *img, struct node *n, node_own_dat
 
 bool node_image_map(const struct node_image *img, struct node *n, node_own_data *own_data, char **error)
 {
-    char *base = n->program;
+    char *base = n->guest.program;
     assert(base);
     if (!map_pages(img, n))
         return elf_fail(error, "%s: cannot be loaded into %s: %s%s", img->elf->path, n->cold->name,
                         strerror(errno),
                         errno == ENOMEM ? " (vm.max_map_count may be too small for so many nodes)" : "");
     fill_data(img, n, own_data, base);
-    n->file = img;
-    n->image = (struct nxc_image *)(base + img->object);
-    n->image_bytes = img->bytes;
-    uintptr_t left = (uintptr_t)n->image->left, main = (uintptr_t)n->image->main;
-    uintptr_t lookahead = (uintptr_t)n->image->lookahead;
+    n->guest.file = img;
+    n->guest.image = (struct nxc_image *)(base + img->object);
+    n->guest.image_bytes = img->bytes;
+    uintptr_t left = (uintptr_t)n->guest.image->left, main = (uintptr_t)n->guest.image->main;
+    uintptr_t lookahead = (uintptr_t)n->guest.image->lookahead;
     if (left - (uintptr_t)base >= img->bytes || lookahead - (uintptr_t)base >= img->bytes ||
         main - (uintptr_t)base >= img->bytes ||
-        (uintptr_t)n->image->data_cache - (uintptr_t)base >= img->bytes)
+        (uintptr_t)n->guest.image->data_cache - (uintptr_t)base >= img->bytes)
         return elf_fail(error, "%s: damaged: nxc_image does not name its program: build it again",
                         img->elf->path);
-    n->data = base + img->data_at;
-    lp_bind(&n->lp, n->image->left, n->image->lookahead);
+    n->guest.data = base + img->data_at;
+    lp_bind(&n->lp, n->guest.image->left, n->guest.image->lookahead);
     return true;
 }
 

@@ -38,8 +38,8 @@ bool node_image_is_asan(const struct node_image *img);
 /* Bytes of text, data and bss in a node, page rounded. */
 size_t node_image_bytes(const struct node_image *img);
 
-/* Maps or copies the program to n->program, relocates it and sets n->image, n->image_bytes, n->file and
- * n->data. What exports.def names by DATA is where own_data finds it (node_libc_data). Returns false with
+/* Maps or copies the program to n->guest.program, relocates it and sets image, image_bytes, file and data of
+ * n->guest. What exports.def names by DATA is where own_data finds it (node_libc_data). Returns false with
  * *error set (malloc'd) on failure. */
 typedef void *node_own_data(struct node *n, const char *name);
 bool node_image_map(const struct node_image *img, struct node *n, node_own_data *own_data, char **error);

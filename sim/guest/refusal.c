@@ -11,7 +11,7 @@ bool refusal_was_last(const struct node *n)
 {
     enum { BUFFERS = 1 << 16 };
     const struct node_refusal *r = &n->cold->refusal;
-    return r->bytes > 0 && n->heap_used <= r->heap && r->heap - n->heap_used <= BUFFERS;
+    return r->bytes > 0 && n->memory.heap <= r->heap && r->heap - n->memory.heap <= BUFFERS;
 }
 
 /* The innermost call that stands in the program's own code; its offset in the program. */
@@ -19,11 +19,12 @@ static size_t place_of(const struct node *n, const struct node_refusal *r)
 {
     char line[200];
     for (int i = 0; i < r->depth; i++) {
-        size_t at = r->returns[i] - 1 - (uintptr_t)n->program;
-        if (backtrace_in_program(n, r->returns[i] - 1) && node_image_line(n->file, at, line, sizeof line))
+        size_t at = r->returns[i] - 1 - (uintptr_t)n->guest.program;
+        if (backtrace_in_program(n, r->returns[i] - 1) &&
+            node_image_line(n->guest.file, at, line, sizeof line))
             return at;
     }
-    return r->returns[0] - 1 - (uintptr_t)n->program;
+    return r->returns[0] - 1 - (uintptr_t)n->guest.program;
 }
 
 void refusal_print(FILE *f, const struct node *n)
@@ -38,7 +39,7 @@ void refusal_print(FILE *f, const struct node *n)
     fputs(number_grouped(r->bytes).text, f);
     fprintf(f, " bytes was refused");
     if (r->depth > 0)
-        fprintf(f, " in %s", node_image_where(n->file, place_of(n, r), where, sizeof where));
+        fprintf(f, " in %s", node_image_where(n->guest.file, place_of(n, r), where, sizeof where));
     fprintf(f, ": %.1f of %.4g MB in use; --set %s=N gives more", (double)r->used / mb, all,
             n->is_host ? "host.memory_mb" : "node.memory_mb");
 }

@@ -220,11 +220,11 @@ static void unlink_region(struct node_system *sys, struct node_region *r)
 /* Makes a span and a heap new: another node has used them, or the span has the text of another program. */
 static bool renew(const struct node_region *r, const struct node *n)
 {
-    size_t kept = n->span == (const char *)r ? TABLE : 0, bytes = ((size_t)1 << r->shift) - kept;
-    char *span = n->span + kept;
-    if (fresh(n->heap_start, r->heap_stride, MAP_FIXED) == MAP_FAILED)
+    size_t kept = n->guest.span == (const char *)r ? TABLE : 0, bytes = ((size_t)1 << r->shift) - kept;
+    char *span = n->guest.span + kept;
+    if (fresh(n->guest.heap_start, r->heap_stride, MAP_FIXED) == MAP_FAILED)
         return false;
-    if (n->text != TEXT_OWN)
+    if (n->guest.text != TEXT_OWN)
         return span_texts_map(n->sys->texts, span, (size_t)(span - (const char *)r), bytes);
     return fresh(span, bytes, MAP_FIXED) != MAP_FAILED && (!r->copies_text || make_executable(span, bytes));
 }
@@ -232,26 +232,26 @@ static bool renew(const struct node_region *r, const struct node *n)
 /* Guards the space below the stacks, and behind the program. */
 static bool make_guards(const struct node_region *r, const struct node *n, size_t program_bytes)
 {
-    char *head = n->span == (const char *)r ? n->span + TABLE : n->span;
-    char *system_end = n->system_stack + NODE_SYSTEM_STACK;
-    char *end = n->program + program_bytes, *span_end = n->span + ((size_t)1 << r->shift);
+    char *head = n->guest.span == (const char *)r ? n->guest.span + TABLE : n->guest.span;
+    char *system_end = n->guest.system_stack + NODE_SYSTEM_STACK;
+    char *end = n->guest.program + program_bytes, *span_end = n->guest.span + ((size_t)1 << r->shift);
     if (r->guards == NODE_GUARDS_NONE)
         return true;
     if (r->light_guards) { /* they cost for each page */
-        head = n->system_stack - PAGE;
+        head = n->guest.system_stack - PAGE;
         span_end = end + GUARD < span_end ? end + GUARD : span_end;
     }
-    return guard(r, head, n->system_stack) && guard(r, system_end, n->stack) &&
+    return guard(r, head, n->guest.system_stack) && guard(r, system_end, n->guest.stack) &&
            (r->guards == NODE_GUARDS_STACKS || guard(r, end, span_end));
 }
 
 void span_guard_heap(struct node *n)
 {
-    const struct node_region *r = n->region;
-    char *end = n->heap_start + r->heap_bytes;
-    if (n->heap_guarded || r->guards != NODE_GUARDS_ALL)
+    const struct node_region *r = n->guest.region;
+    char *end = n->guest.heap_start + r->heap_bytes;
+    if (n->guest.heap_guarded || r->guards != NODE_GUARDS_ALL)
         return;
-    n->heap_guarded = true;
+    n->guest.heap_guarded = true;
     guard(r, end, end + GUARD);
 }
 
@@ -262,14 +262,14 @@ void span_guard_heap(struct node *n)
  * another line. */
 static void lay_out(struct node *n, size_t slot, size_t used_bytes, size_t stack_bytes, size_t above_bytes)
 {
-    const struct node_region *r = n->region;
-    n->span = (char *)r + (slot << r->shift);
-    n->heap_start = (char *)r + r->heaps_at + slot * r->heap_stride;
+    const struct node_region *r = n->guest.region;
+    n->guest.span = (char *)r + (slot << r->shift);
+    n->guest.heap_start = (char *)r + r->heaps_at + slot * r->heap_stride;
     size_t most = (((size_t)1 << r->shift) - used_bytes) / (ENTRIES * PAGE) + 1;
-    n->system_stack = n->span + HEAD + slot % most * ENTRIES * PAGE;
-    n->stack = n->system_stack + NODE_SYSTEM_STACK + GUARD;
-    n->program = n->stack + stack_bytes + PAGE;
-    n->stack_bytes = (size_t)(n->program - n->stack) - slot % COLOURS * LINE - above_bytes;
+    n->guest.system_stack = n->guest.span + HEAD + slot % most * ENTRIES * PAGE;
+    n->guest.stack = n->guest.system_stack + NODE_SYSTEM_STACK + GUARD;
+    n->guest.program = n->guest.stack + stack_bytes + PAGE;
+    n->guest.stack_bytes = (size_t)(n->guest.program - n->guest.stack) - slot % COLOURS * LINE - above_bytes;
 }
 
 /* The address space of a heap: the node's memory, at most what fits beside a span. */
@@ -292,7 +292,7 @@ bool span_take(struct node *n, const struct node_image *img, size_t program_byte
         r = roomy_region(sys, bytes, heap, false);
     if (!r)
         return false;
-    assert(program_bytes % PAGE == 0 && !n->region);
+    assert(program_bytes % PAGE == 0 && !n->guest.region);
     size_t slot = r->fresh;
     bool used = slot == r->spans;
     if (used)
@@ -301,30 +301,31 @@ bool span_take(struct node *n, const struct node_image *img, size_t program_byte
     else
         r->fresh++;
     assert(slot < r->spans);
-    n->region = r;
+    n->guest.region = r;
     r->node[slot] = n;
     if (++r->used == r->spans)
         unlink_region(sys, r);
     lay_out(n, slot, bytes, stack, above_bytes);
-    n->text =
-        r->has_texts && img ? span_texts_claim(sys->texts, img, (size_t)(n->program - (char *)r)) : TEXT_OWN;
-    used |= r->has_texts && n->text == TEXT_OWN;
+    n->guest.text = r->has_texts && img
+                        ? span_texts_claim(sys->texts, img, (size_t)(n->guest.program - (char *)r))
+                        : TEXT_OWN;
+    used |= r->has_texts && n->guest.text == TEXT_OWN;
     return (!used || renew(r, n)) && make_guards(r, n, program_bytes);
 }
 
 void span_release(struct node *n)
 {
-    struct node_region *r = n->region;
+    struct node_region *r = n->guest.region;
     if (!r)
         return;
-    size_t slot = (size_t)(n->span - (char *)r) >> r->shift;
+    size_t slot = (size_t)(n->guest.span - (char *)r) >> r->shift;
     assert(r->used > 0 && r->node[slot] == n);
     if (r->used-- == r->spans) {
         r->next = n->sys->roomy;
         n->sys->roomy = r;
     }
     r->node[slot] = NULL;
-    n->region = NULL;
+    n->guest.region = NULL;
     if (r->used)
         return;
     unlink_region(n->sys, r);

@@ -37,12 +37,12 @@ static void run_program(void *arg)
 {
     struct node *n = arg;
     node_leave(n);
-    for (void (**f)(void) = n->image->fini_begin; f < n->image->fini_end; f++)
+    for (void (**f)(void) = n->guest.image->fini_begin; f < n->guest.image->fini_end; f++)
         node_libc_at_end(n, *f);
-    for (void (**f)(void) = n->image->init_begin; f < n->image->init_end; f++)
+    for (void (**f)(void) = n->guest.image->init_begin; f < n->guest.image->init_end; f++)
         crossing_call(*f, 0, 0, 0, 0, 0);
-    int code =
-        (int)crossing_call(n->image->main, n->cold->argc, (long)n->cold->argv, (long)node_libc_envp(n), 0, 0);
+    int code = (int)crossing_call(n->guest.image->main, n->cold->argc, (long)n->cold->argv,
+                                  (long)node_libc_envp(n), 0, 0);
     node_enter(n, "exit");
     node_libc_end(n);
     node_end_here(n, NODE_RETURNED, code);
@@ -101,13 +101,14 @@ static bool make_parts(struct node *n, const struct node_image *img, int argc, c
     own_put_arguments(n, argc, argv);
     if (!node_image_map(img, n, node_libc_data, error))
         return false;
-    *n->image->data_cache = (int64_t)n->sys->cfg->cache_bytes;
+    *n->guest.image->data_cache = (int64_t)n->sys->cfg->cache_bytes;
     if (node_image_is_asan(img) && !(n->asan = asan_begin(n->sys->asan, n)))
         return lacks_addresses(n, error);
-    n->heap = node_heap_new(n->asan ? asan_heap_base(n->asan) : n->heap_start,
-                            n->region->heap_bytes - own_memory_bytes(n), heap_has_room, memory_heap_is, n);
-    fiber_begin(&n->lp.fiber, n->system_stack, NODE_SYSTEM_STACK, run_program, n);
-    struct crossing_top *top = (void *)(n->stack + n->stack_bytes);
+    n->guest.heap =
+        node_heap_new(n->asan ? asan_heap_base(n->asan) : n->guest.heap_start,
+                      n->guest.region->heap_bytes - own_memory_bytes(n), heap_has_room, memory_heap_is, n);
+    fiber_begin(&n->lp.fiber, n->guest.system_stack, NODE_SYSTEM_STACK, run_program, n);
+    struct crossing_top *top = (void *)(n->guest.stack + n->guest.stack_bytes);
     top->has_errno = node_image_has_errno(img);
     crossing_begin(&n->lp.fiber, top);
     if (n->sys->debugger)
@@ -154,7 +155,7 @@ static struct node *make(struct node_system *sys, uint32_t id, uint32_t address)
 
 void node_record(struct node *n)
 {
-    record_begin(n, recorder_program(n->sys->recorder, node_image_path(n->file)));
+    record_begin(n, recorder_program(n->sys->recorder, node_image_path(n->guest.file)));
 }
 
 static struct node *load(struct node *n, const struct node_image *img, int argc, char **argv, char **envp,
@@ -162,9 +163,9 @@ static struct node *load(struct node *n, const struct node_image *img, int argc,
 {
     n->cold->envp = envp;
     if (make_parts(n, img, argc, argv, error)) {
-        n->in_order |= n->sys->cfg->entry_ps != 0; /* for charge_entry */
+        n->deferred.never |= n->sys->cfg->entry_ps != 0; /* for charge_entry */
         /* (Where programs come and go, few messages are worth deferring calls.) */
-        n->in_order |= n->is_host || n->asan || n->sys->cube || n->sys->flushes;
+        n->deferred.never |= n->is_host || n->asan || n->sys->cube || n->sys->flushes;
         taken_begin(n);
         livelock_begin(n);
         path_times_begin(n);
@@ -188,7 +189,7 @@ struct node *node_new_empty(struct node_system *sys, uint32_t id)
 {
     struct node *n = make(sys, id, id);
     lp_end(&n->lp);
-    n->end = NODE_NOT_LOADED;
+    n->end.how = NODE_NOT_LOADED;
     return n;
 }
 
@@ -233,18 +234,19 @@ static void strip(struct node *n)
     if (n->asan)
         asan_end(n), n->asan = NULL;
     free(n->cold->crash);
-    if (n->libc)
+    if (n->guest.libc)
         node_libc_free(n);
     fiber_end(&n->lp.fiber);
     if (n->sys->debugger)
         debugger_remove(n->sys->debugger, n);
-    if (n->heap)
-        node_heap_free(n->heap);
+    if (n->guest.heap)
+        node_heap_free(n->guest.heap);
     if (n->sys->writable == n)
         n->sys->writable = NULL;
     span_release(n);
-    n->cold->crash = NULL, n->stats.waits = (struct node_waits){0}, n->libc = NULL, n->heap = NULL;
-    n->image = NULL;
+    n->cold->crash = NULL, n->stats.waits = (struct node_waits){0}, n->guest.libc = NULL,
+    n->guest.heap = NULL;
+    n->guest.image = NULL;
     lp_unbind(&n->lp);
 }
 
@@ -255,11 +257,11 @@ void node_succeed(struct node *n, struct node *before, vtime t)
     clock_set_units(&n->lp, before->lp.clock.units);
     n->times = before->times;
     n->stats = before->stats;
-    n->armed = before->armed;
+    n->handlers.armed = before->handlers.armed;
     before->stats.waits = (struct node_waits){0};
     n->stats.away = t - charge_sum(n);
     n->stats.memory_peak = peak > n->stats.memory_peak ? peak : n->stats.memory_peak;
-    n->sys_free = before->sys_free;
+    n->times.sys_free = before->times.sys_free;
     match_inherit(n, before);
     races_succeed(n, before);
     strip(before);

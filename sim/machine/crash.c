@@ -41,7 +41,7 @@ static void note_frames(struct node_crash *c, const struct node *n, const greg_t
     c->frames[0] = (uintptr_t)r[REG_RIP] - (c->signal == SIGSYS); /* this one comes behind its instruction */
     c->depth = 1;
     c->in_library = !backtrace_in_program(n, c->frames[0]);
-    uintptr_t frame = (uintptr_t)r[REG_RBP], below = (uintptr_t)r[REG_RSP] - (uintptr_t)n->system_stack;
+    uintptr_t frame = (uintptr_t)r[REG_RBP], below = (uintptr_t)r[REG_RSP] - (uintptr_t)n->guest.system_stack;
     if (c->in_library && below < NODE_SYSTEM_STACK)
         frame = (uintptr_t)crossing_frame();
     c->depth += backtrace_walk(n, frame, c->frames + c->depth, MOST_FRAMES - c->depth);
@@ -238,7 +238,7 @@ static const char *fault_text(const struct node_crash *g)
  * `used`; 0: that is no node's. */
 static uintptr_t cut_address(const struct node *n, uintptr_t used)
 {
-    uintptr_t half = UINT32_MAX, whole = ((uintptr_t)n->span & ~half) | (used & half);
+    uintptr_t half = UINT32_MAX, whole = ((uintptr_t)n->guest.span & ~half) | (used & half);
     return whole != used && node_owner(n->sys, whole) ? whole : 0;
 }
 
@@ -248,7 +248,7 @@ static void print_cut(FILE *f, const struct node *n, uintptr_t whole)
         f, "\n  an address kept in an int? 0x%zx is in the memory of %s; an int holds addresses below 2 GB: ",
         (size_t)whole, node_owner(n->sys, whole)->cold->name);
     fprintf(f, "%s",
-            node_image_is_long32(n->file)
+            node_image_is_long32(n->guest.file)
                 ? "run it on fewer nodes, or on nodes with less memory (--set node.memory_mb=N)"
                 : "nxcc --long32 gives the nodes such");
 }
@@ -262,7 +262,7 @@ static bool is_behind(uintptr_t address, const char *end)
 static void print_cause(FILE *f, const struct node *n)
 {
     const struct node_crash *g = n->cold->crash;
-    uintptr_t stack = (uintptr_t)n->stack;
+    uintptr_t stack = (uintptr_t)n->guest.stack;
     bool memory = (g->signal == SIGSEGV || g->signal == SIGBUS) && !g->lost_thread && !tells_no_address(g);
     const struct node *owner = memory ? node_owner(n->sys, g->address) : NULL;
     uintptr_t whole = memory ? cut_address(n, g->address) : 0;
@@ -281,13 +281,14 @@ static void print_cause(FILE *f, const struct node *n)
         fprintf(f, ": 0x%zx, a member of a null pointer, or a number that is no address", (size_t)g->address);
     else if (owner && owner != n)
         fprintf(f, ": 0x%zx, in the memory of %s", (size_t)g->address, owner->cold->name);
-    else if (memory && g->address - (uintptr_t)n->program < n->image_bytes && g->address != g->frames[0])
+    else if (memory && g->address - (uintptr_t)n->guest.program < n->guest.image_bytes &&
+             g->address != g->frames[0])
         fprintf(f,
                 ": 0x%zx, in its code or constants, which cannot be changed (a text in quotes is a constant)",
                 (size_t)g->address);
-    else if (memory && is_behind(g->address, n->program + n->image_bytes))
+    else if (memory && is_behind(g->address, n->guest.program + n->guest.image_bytes))
         fprintf(f, ": 0x%zx, behind the end of its static data", (size_t)g->address);
-    else if (memory && is_behind(g->address, n->heap_start + n->region->heap_bytes))
+    else if (memory && is_behind(g->address, n->guest.heap_start + n->guest.region->heap_bytes))
         fprintf(f, ": 0x%zx, behind the end of its heap", (size_t)g->address);
     else if (memory)
         fprintf(f, ": 0x%zx", (size_t)g->address);
@@ -303,8 +304,8 @@ static bool has_frame(const struct node *n, uintptr_t pc)
 {
     enum { PUSH_RBP = 0x55 };
     static const unsigned char ENDBR64[] = {0xf3, 0x0f, 0x1e, 0xfa};
-    size_t start = node_image_function(n->file, pc - (uintptr_t)n->program);
-    const unsigned char *code = (unsigned char *)n->program + start;
+    size_t start = node_image_function(n->guest.file, pc - (uintptr_t)n->guest.program);
+    const unsigned char *code = (unsigned char *)n->guest.program + start;
     return code[memcmp(code, ENDBR64, sizeof ENDBR64) ? 0 : sizeof ENDBR64] == PUSH_RBP;
 }
 
@@ -337,7 +338,7 @@ static void print_given(FILE *f, const struct node_crash *g, const char *call)
 static void print_frames(FILE *f, const struct node *n, const uintptr_t *frames, int depth)
 {
     const struct node_crash *g = n->cold->crash;
-    if (g->in_library && !n->call) {
+    if (g->in_library && !n->call.name) {
         const char *called = g->depth > 1 ? backtrace_called(n, g->frames[1]) : NULL;
         fprintf(f, "\n  in %s", called ? called : "a library function");
     }
@@ -353,9 +354,9 @@ char *crash_report(const struct node *n)
     size_t size;
     uintptr_t frames[MOST_FRAMES + 1];
     int depth = frames_of(n, frames), outside;
-    const char *mpi = backtrace_mpi_call(n, frames, depth, &outside), *call = mpi ? mpi : n->call;
+    const char *mpi = backtrace_mpi_call(n, frames, depth, &outside), *call = mpi ? mpi : n->call.name;
     FILE *f = xchecked(open_memstream(&text, &size));
-    fprintf(f, "%s crashed at %s%s, %s%s: ", n->cold->name, n->call ? "" : "or shortly before ",
+    fprintf(f, "%s crashed at %s%s, %s%s: ", n->cold->name, n->call.name ? "" : "or shortly before ",
             virtual_time_moment(n->stats.ended_at).text, call ? "in " : "computing", call ? call : "");
     print_cause(f, n);
     if (mpi && outside < depth) {

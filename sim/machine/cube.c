@@ -224,7 +224,7 @@ static struct program *open_program(struct node *host, const char *path)
         free(file);
         return NULL;
     }
-    node_image_set_layer(image, node_image_layer(host->file));
+    node_image_set_layer(image, node_image_layer(host->guest.file));
     struct program *p = xcalloc(1, sizeof *p);
     *p = (struct program){{file, NULL}, image, c->programs};
     return c->programs = p;
@@ -314,7 +314,7 @@ long cube_check_send(struct node *host, long node)
     if (!s->cube->there)
         return no_cube(host);
     for (uint32_t i = 0; i < s->count; i++)
-        any = any || ((node == ALL || node == (long)i) && s->nodes[i]->end != NODE_NOT_LOADED);
+        any = any || ((node == ALL || node == (long)i) && s->nodes[i]->end.how != NODE_NOT_LOADED);
     if (any || node == (long)s->count)
         return 0;
     if (node == ALL)

@@ -38,7 +38,7 @@ static bool is_users(const struct node *n, uintptr_t returns)
 {
     char line[MOST_NAME];
     return backtrace_in_program(n, returns) &&
-           node_image_line(n->file, returns - 1 - (uintptr_t)n->program, line, sizeof line);
+           node_image_line(n->guest.file, returns - 1 - (uintptr_t)n->guest.program, line, sizeof line);
 }
 
 /* Where a program goes on that has switched away: the innermost of the user's functions; without lines, the
@@ -59,9 +59,9 @@ static uintptr_t resumes_at(const struct node *n)
 static struct place place_of(const struct node *n)
 {
     const char *function = "";
-    struct place p = {.resume = resumes_at(n), .in_call = n->call};
+    struct place p = {.resume = resumes_at(n), .in_call = n->call.name};
     if (p.resume)
-        elf_function_at(node_image_elf(n->file), p.resume - 1 - (uintptr_t)n->program, &function);
+        elf_function_at(node_image_elf(n->guest.file), p.resume - 1 - (uintptr_t)n->guest.program, &function);
     snprintf(p.function, sizeof p.function, "%s", function);
     return p;
 }
@@ -90,7 +90,7 @@ static void stop_here(struct node_system *s, struct node *n, struct place p)
 
 static void stop_at_main(struct node_system *s, struct node *n)
 {
-    stop_here(s, n, (struct place){.resume = (uintptr_t)n->image->main});
+    stop_here(s, n, (struct place){.resume = (uintptr_t)n->guest.image->main});
 }
 
 static void stop_at_time(struct node_system *s)

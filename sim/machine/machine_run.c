@@ -112,7 +112,8 @@ static void end_schedule(struct machine *m)
  * killed ones further than to their end; at a signal, too, but no two such runs are alike anyway. */
 static bool has_output(const struct machine *m, const struct node *n)
 {
-    return n->libc && (n->end == NODE_CRASHED || (m->waits && n->end != NODE_KILLED) || m->signal);
+    return n->guest.libc &&
+           (n->end.how == NODE_CRASHED || (m->waits && n->end.how != NODE_KILLED) || m->signal);
 }
 
 static void rescue_output(struct machine *m)

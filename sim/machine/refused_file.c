@@ -18,7 +18,7 @@ static const char *called(const struct node *n)
         return NULL;
     const char *name = backtrace_called(n, returns[i]);
     bool inner = name && strncmp(name, "nx_", 3) == 0; /* a part of the function that calls it */
-    return inner ? node_image_function_name(n->file, returns[i] - (uintptr_t)n->program) : name;
+    return inner ? node_image_function_name(n->guest.file, returns[i] - (uintptr_t)n->guest.program) : name;
 }
 
 /* The length of the folder's name in the path of a file that the program would write; else 0. A program that
@@ -31,7 +31,7 @@ static int folder_to_allow(const struct fence_refusal *r)
 
 _Noreturn void refused_file(struct node *n, const struct fence_refusal *r)
 {
-    const char *call = n->call ? n->call : called(n);
+    const char *call = n->call.name ? n->call.name : called(n);
     int folder = folder_to_allow(r);
     node_libc_flush(n);
     node_fail(n,

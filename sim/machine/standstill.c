@@ -193,7 +193,7 @@ static void print_polls(FILE *f, const struct node_system *s, const struct alike
         fprintf(f, "; no message of type %" PRId64 " has come to any node", p->select.type);
     const struct node *bad = node_bad_exit(s);
     if (bad)
-        fprintf(f, "; look at %s first, which ended with exit(%d)", bad->cold->name, bad->exit_code);
+        fprintf(f, "; look at %s first, which ended with exit(%d)", bad->cold->name, bad->end.exit_code);
 }
 
 static void print_handlers(FILE *f, const struct alike *a)

@@ -17,7 +17,7 @@ static char *exit_text(const struct node *n)
     struct backtrace_lines *lines = backtrace_lines_new();
     const char *line = backtrace_line_of(lines, n, n->cold->exit_calls, NODE_EXIT_CALLS);
     char *text = xasprintf("%s ended at %s with exit(%d)%s%s%s", n->cold->name,
-                           virtual_time_moment(n->stats.ended_at).text, n->exit_code, line ? " (" : "",
+                           virtual_time_moment(n->stats.ended_at).text, n->end.exit_code, line ? " (" : "",
                            line ? line : "", line ? ")" : "");
     backtrace_lines_free(lines);
     return text;

@@ -35,7 +35,7 @@ static const char *frame_of(const struct filling *f, const struct node *n, uintp
 {
     const char *line = backtrace_line_at(f->lines, n, returns);
     const char *function =
-        line ? node_image_function_name(n->file, returns - 1 - (uintptr_t)n->program) : NULL;
+        line ? node_image_function_name(n->guest.file, returns - 1 - (uintptr_t)n->guest.program) : NULL;
     if (!line)
         return NULL;
     char *text = function ? xasprintf("%.*s() at %s", (int)strcspn(function, "."), function, line)
@@ -49,7 +49,7 @@ static void fill_stack(const struct filling *f, const struct node *n, struct wai
 {
     enum { MOST_FRAMES = 24 };
     uintptr_t returns[MOST_FRAMES];
-    int depth = backtrace_walk(n, n->frame, returns, MOST_FRAMES);
+    int depth = backtrace_walk(n, n->wait.frame, returns, MOST_FRAMES);
     for (int i = 0; i < depth; i++) {
         const char *frame = frame_of(f, n, returns[i]);
         if (frame)
@@ -91,10 +91,10 @@ static void fill_awaited(const struct filling *f, const struct node *n, struct w
 
 static void fill_call(const struct filling *f, const struct node *n, struct waitfor_node *to)
 {
-    to->call = n->call;
-    to->has_type = n->call_has_type;
-    to->type = n->call_type;
-    to->since_ps = n->call_since;
+    to->call = n->call.name;
+    to->has_type = n->call.has_type;
+    to->type = n->call.type;
+    to->since_ps = n->call.since;
     fill_awaited(f, n, to);
     fill_stack(f, n, to);
 }
@@ -190,12 +190,12 @@ static void add_taken(const struct filling *f, const struct node *n, const struc
 
 static void fill_mailbox(const struct filling *f, const struct node *n, struct waitfor_node *to)
 {
-    to->masked = n->masked, to->in_handler = n->in_handler;
-    to->buffered_bytes = n->buffered;
-    size_t others = node_memory_used(n) - n->buffered, limit = node_memory_limit(n);
+    to->masked = n->handlers.masked, to->in_handler = n->in_handler;
+    to->buffered_bytes = n->memory.buffered;
+    size_t others = node_memory_used(n) - n->memory.buffered, limit = node_memory_limit(n);
     to->buffer_bytes = limit > others ? limit - others : 0;
     add_messages(f, n->mailbox.whole, to);
-    add_messages(f, n->coming, to);
+    add_messages(f, n->unexpected.coming, to);
     add_receives(f, n, to);
     const struct taken_log *taken = taken_of(n);
     if (taken) {
@@ -208,21 +208,21 @@ static void fill(const struct filling *f, const struct node *n, struct waitfor_n
 {
     to->name = waitfor_text(f->w, n->cold->name);
     to->is_host = n->is_host;
-    if (n->end == NODE_NOT_LOADED) {
+    if (n->end.how == NODE_NOT_LOADED) {
         to->state = WAITFOR_NO_PROGRAM;
         return;
     }
     if (n->lp.state == LP_ENDED) {
         to->state = WAITFOR_ENDED;
         to->since_ps = n->stats.ended_at;
-        to->exit_status = node_exited_badly(n) ? n->exit_code : 0;
+        to->exit_status = node_exited_badly(n) ? n->end.exit_code : 0;
         if (to->exit_status)
             to->line =
                 waitfor_text(f->w, backtrace_line_of(f->lines, n, n->cold->exit_calls, NODE_EXIT_CALLS));
         return;
     }
-    to->state = n->call ? WAITFOR_WAITS : WAITFOR_COMPUTES;
-    if (n->call)
+    to->state = n->call.name ? WAITFOR_WAITS : WAITFOR_COMPUTES;
+    if (n->call.name)
         fill_call(f, n, to);
     fill_mailbox(f, n, to);
 }

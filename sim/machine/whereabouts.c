@@ -60,44 +60,45 @@ static const char *line_of(const struct node *n, struct backtrace_lines *lines)
                                     : NULL;
     if (is_from_outside(stop) && n->cold->crash)
         return line_of_crash(n, lines);
-    if (is_from_outside(stop) && !n->call && n->image && !fiber_frame(&n->lp.fiber) && !n->at_poll)
-        return backtrace_line_at(lines, n, (uintptr_t)n->image->main + 1); /* it has not begun */
-    if (stop == STOP_NOT && n->sys->running && !n->at_poll)
+    if (is_from_outside(stop) && !n->call.name && n->guest.image && !fiber_frame(&n->lp.fiber) &&
+        !n->wait.at_poll)
+        return backtrace_line_at(lines, n, (uintptr_t)n->guest.image->main + 1); /* it has not begun */
+    if (stop == STOP_NOT && n->sys->running && !n->wait.at_poll)
         return backtrace_line_away(lines, n);
-    if (n->call)
-        return n->lp.state == LP_BLOCKED || n->call_since == VT_NEVER ? backtrace_line(lines, n) : NULL;
+    if (n->call.name)
+        return n->lp.state == LP_BLOCKED || n->call.since == VT_NEVER ? backtrace_line(lines, n) : NULL;
     if (stop == STOP_VIRTUAL_TIME)
         return backtrace_line_of(lines, n, (uintptr_t[]){clock_last_place(&n->lp)}, 1);
-    if (n->at_poll)
+    if (n->wait.at_poll)
         return backtrace_line(lines, n);
     return is_from_outside(stop) ? backtrace_line_away(lines, n) : NULL;
 }
 
 static struct where where_is(const struct node *n, struct backtrace_lines *lines)
 {
-    struct where w = {.line = line_of(n, lines), .since = n->call_since};
+    struct where w = {.line = line_of(n, lines), .since = n->call.since};
     const char *handler = n->in_handler ? " in a handler" : "";
-    if (n->end == NODE_NOT_LOADED) {
+    if (n->end.how == NODE_NOT_LOADED) {
         snprintf(w.text, sizeof w.text, "no program");
     } else if (n->lp.state == LP_ENDED) {
         if (node_exited_badly(n))
-            snprintf(w.text, sizeof w.text, "ended with exit(%d)", n->exit_code);
+            snprintf(w.text, sizeof w.text, "ended with exit(%d)", n->end.exit_code);
         else
             snprintf(w.text, sizeof w.text, "ended");
         w.ended = true, w.since = n->stats.ended_at;
-    } else if (!n->call) {
+    } else if (!n->call.name) {
         snprintf(w.text, sizeof w.text, "computing%s", handler);
-    } else if (n->call_since == VT_NEVER) {
-        snprintf(w.text, sizeof w.text, "before %s%s", n->call, handler);
+    } else if (n->call.since == VT_NEVER) {
+        snprintf(w.text, sizeof w.text, "before %s%s", n->call.name, handler);
     } else {
-        const char *operation = n->awaits ? waitfor_operation(n->awaited) : NULL;
+        const char *operation = n->call.awaits ? waitfor_operation(n->call.awaited) : NULL;
         w.timed = true;
         if (operation)
             snprintf(w.text, sizeof w.text, "%s%s", operation, handler);
-        else if (n->call_has_type)
-            snprintf(w.text, sizeof w.text, "%s(%ld)%s", n->call, n->call_type, handler);
+        else if (n->call.has_type)
+            snprintf(w.text, sizeof w.text, "%s(%ld)%s", n->call.name, n->call.type, handler);
         else
-            snprintf(w.text, sizeof w.text, "%s%s", n->call, handler);
+            snprintf(w.text, sizeof w.text, "%s%s", n->call.name, handler);
     }
     return w;
 }

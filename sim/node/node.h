@@ -2,10 +2,11 @@
  * it (tests/house/check reads the names of owners in the comments):
  *
  *     lp                        sim/lp       the node as a logical process: clock, state, commit times
- *     os: mailbox, deferred,    sim/os       messages, buffers, interrupts, deferred calls, memory account,
- *         stats, call, memory                the call under way
- *     guest: image, heap,       sim/guest    the loaded program and its address space
- *         libc, region
+ *     mailbox, unexpected,      sim/os       messages, buffers, interrupts, deferred calls, the call under
+ *         deferred, call, wait,              way, what it waits for, times, memory, the end
+ *         handlers, times,
+ *         stats, memory, end
+ *     guest                     sim/guest    the loaded program and its address space
  *     the rest                  sim/machine  what the node is: set when it is made
  *
  * "calls" is nx_api: contract, calls, sim.
@@ -27,6 +28,7 @@
 struct node;
 struct node_image;  /* a program file, read once: guest/image.h */
 struct node_heap;   /* guest/heap.h */
+struct node_libc;   /* guest/libc/libc.h */
 struct node_region; /* node/self.h */
 struct node_system; /* what all nodes share: node/system.h */
 struct nxc_image;   /* nx_api/contract/program_image.h */
@@ -57,7 +59,8 @@ enum node_task {
  * idle and system, to the picosecond. The sum of the tasks is system and overlapped: a wait may be over while
  * the processor still moves bytes, which does not hold up the program. */
 struct node_times {
-    vtime system; /* in the operating system: calls, messages, interrupts */
+    vtime sys_free; /* the system is busy with messages until then */
+    vtime system;   /* in the operating system: calls, messages, interrupts */
     vtime tasks[NODE_TASKS];
 };
 
@@ -116,10 +119,11 @@ struct deferred_call {
     const char *name; /* of the call */
 };
 
-/* All of them: node.calls. */
+/* The calls themselves are in node.calls. */
 struct deferred {
     uint8_t first, count;
     bool open;            /* the program is in the last of them */
+    bool never;           /* os, machine: no call is deferred: for an observer or handlers, or ever */
     uint16_t posts;       /* sets of places in the ring: the call posts its receive when it is made; */
     uint16_t needs_event; /* is to be made at its commit time: sends, or may select a message then */
     vtime commits; /* of the first, or when its caller resumes; later by what has been stolen since then */
@@ -127,8 +131,8 @@ struct deferred {
     vtime shift;   /* all are so much later than noted, and by what has been stolen since then */
 };
 
-/* What the program has of its memory: bytes of heap in use, and the most of all so far. */
-struct node_memory {
+/* What a deferred call notes of its program's memory: bytes of heap in use, and the most of all so far. */
+struct memory_mark {
     size_t heap, peak;
 };
 
@@ -136,8 +140,80 @@ struct node_memory {
 struct deferred_cold {
     struct message *message[DEFERRED_MOST];
     vtime sending[DEFERRED_MOST]; /* the time to send it */
-    struct node_memory
+    struct memory_mark
         memory[DEFERRED_MOST]; /* the program's at the call, if it has changed since the one before */
+};
+
+/* The call that the program is in, for reports. A handler makes calls of its own; afterwards this is again
+ * what it was. */
+struct node_call {
+    const char *name; /* NULL: the program computes */
+    vtime since;
+    long type;    /* type, typesel or id it was given, if has_type */
+    long awaited; /* type or typesel of the message the call is about, if awaits */
+    bool has_type, awaits;
+    bool hands_over; /* it was entered by node_enter_early, and has not waited */
+};
+
+/* What the program has switched away for. */
+struct node_stopped {
+    bool (*ready)(struct node *n, void *arg); /* NULL: nothing but its commit time */
+    void *arg;
+    uintptr_t frame; /* on the stack: of the call while it is blocked, or of the poll where it has stopped */
+    bool at_poll;    /* it has stopped at one */
+    vtime system;    /* times.system when it began to wait */
+};
+
+/* Handlers of the program: os/handlers.h, share.h. */
+struct node_handlers {
+    bool armed; /* it has posted one at any time */
+    bool masked;
+    uint64_t share_until; /* none interrupts the program before its clock has so many units */
+    /* When they were last let run, and what the program had computed then. */
+    vtime opened_at;
+    uint64_t opened_units;
+};
+
+/* Unexpected messages, beside those of the mailbox: os/unexpected.h. */
+struct node_unexpected {
+    struct message *coming; /* not yet whole */
+    struct queues *by_type; /* the whole ones; NULL: they are few */
+    uint32_t count;
+    int64_t order; /* of the last, in by_type */
+};
+
+/* Bytes of the node's memory. Messages come while the program computes ahead; so each side reckons with what
+ * the other had when the program was last in a call: heap_known, buffered_known. */
+struct node_memory {
+    size_t heap, heap_known;         /* that the program has in use */
+    size_t buffered, buffered_known; /* unexpected messages */
+    size_t taken;                    /* of `buffered`: what the program has received from in deferred calls */
+    size_t peak_ahead;               /* node_stats.memory_peak as the program sees it */
+    bool heap_moved;                 /* heap has changed since the program was last in a call */
+};
+
+/* The loaded program, and where in the node's span its parts lie: guest/image.h, span.h. */
+struct node_guest {
+    struct node_region *region;                               /* NULL: the node has no program */
+    char *span, *system_stack, *stack, *program, *heap_start; /* the lowest bytes of each */
+    size_t stack_bytes;                                       /* those the machine file gives, or some more */
+    char *data;                                               /* of the program, behind text and constants */
+    enum node_text text;
+    bool heap_guarded; /* span_guard_heap */
+    const struct node_image *file;
+    struct nxc_image *image;
+    size_t image_bytes; /* text, data and bss, page rounded */
+    struct node_heap *heap;
+    struct node_libc *libc; /* streams, random numbers, strtok: guest/libc/libc.h. NULL: not used yet */
+};
+
+/* How the node ended, and how the ends of others are heard of. */
+struct node_ending {
+    enum node_end how;
+    int exit_code;
+    bool cut_short; /* while it computed; its image knows nothing of that */
+    bool awaits;    /* it is in a call that waits for another node's end */
+    bool noticed;   /* such a call has told of this one's */
 };
 
 enum { REFUSAL_CALLS = 8 };
@@ -154,7 +230,7 @@ enum { NODE_EXIT_CALLS = 6 };
 /* What hardly any program uses, or not for each message: in another place, so that what all use lies close
  * together. What many programs never use is made when it is used first: NULL until then. */
 struct node_cold {
-    int32_t deferred_type[DEFERRED_MOST]; /* os: in node.call_type when the caller resumes, if it has any */
+    int32_t deferred_type[DEFERRED_MOST]; /* os: in node.call.type when the caller resumes, if it has any */
     struct deferred_cold *deferred;       /* os */
     struct own_calls own;
     struct node_error *error; /* calls */
@@ -174,79 +250,34 @@ struct node_cold {
 struct node {
     struct mailbox mailbox;   /* os */
     struct deferred deferred; /* os */
-    vtime sys_free;           /* os: the system is busy with messages until then */
     struct node_system *sys;
     uint32_t
         system_milli; /* its system takes so many thousandths of an ordinary node's time for everything */
     bool is_host;
-    bool in_order;              /* os, machine: no call is deferred, for an observer or handlers, or ever */
-    bool armed;                 /* os: posted a handler at any time */
-    bool call_has_type, awaits; /* os: see call */
-    bool hands_over;            /* os: the call was entered by node_enter_early, and has not waited */
-    bool heap_moved;            /* os: heap_used has changed since the program was last in a call */
-    struct node_times times;    /* os */
-    struct lp lp;               /* lp */
+    bool in_handler;         /* os */
+    bool stripped;           /* another has taken its place: nobody but late events knows of it */
+    struct node_times times; /* os */
+    uint64_t heard;          /* os: what the observers want to be told: os/observer.h */
+    struct lp lp;            /* lp */
 
-    /* os: what the program has switched away for; ready NULL: nothing but its commit time */
-    struct {
-        bool (*ready)(struct node *n, void *arg);
-        void *arg;
-    } wait;
-    vtime in_kernel;    /* os: the program is in a kernel below NX until then, for a message of its own */
-    vtime waits_system; /* os: times.system when it began to wait */
-    const char *call;   /* os: the call the program is in, for reports; NULL while it computes */
-    uint64_t heard;     /* os: what the observers want to be told: os/observer.h */
+    struct node_stopped wait;   /* os */
+    struct node_call call;      /* os */
     struct observer *observers; /* os. NULL: nobody observes the node */
     struct node_asan *asan;     /* machine. NULL: the program was built without --asan */
-    vtime call_since;           /* os */
-    long call_type;             /* os: type, typesel or id it was given, if call_has_type */
-    long awaited;               /* os: type or typesel of the message the call is about, if awaits */
-    uintptr_t
-        frame; /* os: on the stack: of the call while it is blocked, or of the poll where it has stopped */
-    bool masked, in_handler; /* os */
-    bool at_poll;            /* os: it has stopped at one, at `frame` */
-    struct node_info info;   /* os, calls */
-    struct message *coming;  /* os: unexpected.h */
-    struct queues *by_type;  /* os: the whole ones; NULL: they are few */
-    uint32_t whole_count;    /* os */
-    int64_t whole_order;     /* os: of the last, in by_type */
-    size_t buffered;         /* os: bytes of unexpected messages held */
-    /* os: messages come while the program computes ahead. Each of the two sees what the other had when the
-     * program was last in a call. */
-    size_t buffered_known;
-    long pid;                /* calls, machine: process type: 0, unless the program has set it */
+    vtime in_kernel; /* os: the program is in a kernel below NX until then, for a message of its own */
+    struct node_handlers handlers;     /* os */
+    struct node_info info;             /* os, calls */
+    struct node_memory memory;         /* os */
+    struct node_unexpected unexpected; /* os */
+    long pid;                          /* calls, machine: process type: 0, unless the program has set it */
     struct receive receive;  /* os: of the blocking call that the program is in, outside of handlers */
-    size_t taken;            /* os: of `buffered`: what the program has received from in deferred calls */
     struct node_stats stats; /* os */
     _Alignas(CACHE_LINE) struct deferred_call calls[DEFERRED_MOST]; /* os: a ring */
 
-    struct node_heap *heap;       /* guest */
-    size_t heap_used, heap_known; /* os: of it; known: as buffered_known */
-    size_t peak_ahead;            /* os: memory_peak as the program sees it */
-    size_t image_bytes;           /* guest: program text, data and bss, page rounded */
-    struct nxc_image *image;      /* guest: of the program */
+    struct node_guest guest; /* guest */
     struct node_cold *cold;
     uint32_t id;
-    struct node_region *region;                               /* guest. NULL: it has no program */
-    char *span, *system_stack, *stack, *program, *heap_start; /* guest: the lowest bytes of each: span.h */
-    bool heap_guarded;                                        /* guest: span_guard_heap */
-    enum node_text text;                                      /* guest */
-    char *data;                    /* guest: of the program, behind text and constants */
-    size_t stack_bytes;            /* guest: those the machine file gives, or some more */
-    const struct node_image *file; /* guest */
-
-    bool stripped;     /* another has taken its place: nobody but late events knows of it */
-    enum node_end end; /* os */
-    int exit_code;     /* os */
-    bool cut_short;    /* os: while it computed; its image knows nothing of that */
-    bool awaits_end;   /* os: is in a call that waits for another node's end */
-    bool end_noticed;  /* os: such a call has told of this one's */
-    struct {
-        vtime at;
-        uint64_t units;     /* what the program had computed then */
-    } opened;               /* os: when handlers were last let run */
-    uint64_t share_until;   /* os: no handler interrupts the program before its clock has so many units */
-    struct node_libc *libc; /* guest: stdio, random numbers, strtok: libc.h. NULL: not used yet */
+    struct node_ending end; /* os */
 };
 
 _Static_assert(offsetof(struct node, lp.drains) <= CACHE_BLOCK,

@@ -51,16 +51,16 @@ static inline struct node *node_self(void)
 /* Does an address lie in its memory? */
 static inline bool node_owns(const struct node *n, uintptr_t address)
 {
-    const struct node_region *r = n->region;
-    return r && (address - (uintptr_t)n->span < (uintptr_t)1 << r->shift ||
-                 address - (uintptr_t)n->heap_start < r->heap_bytes);
+    const struct node_region *r = n->guest.region;
+    return r && (address - (uintptr_t)n->guest.span < (uintptr_t)1 << r->shift ||
+                 address - (uintptr_t)n->guest.heap_start < r->heap_bytes);
 }
 
 /* May an address be that of a frame (two words) on the system's stack or the program's? */
 static inline bool node_may_be_frame(const struct node *n, uintptr_t address)
 {
-    uintptr_t end = (uintptr_t)n->stack + n->stack_bytes - 2 * sizeof address;
-    return address >= (uintptr_t)n->system_stack && address < end && address % sizeof address == 0;
+    uintptr_t end = (uintptr_t)n->guest.stack + n->guest.stack_bytes - 2 * sizeof address;
+    return address >= (uintptr_t)n->guest.system_stack && address < end && address % sizeof address == 0;
 }
 
 /* Does the caller run on this node? */

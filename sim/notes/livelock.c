@@ -70,7 +70,7 @@ static void find_places(const struct node *n, uintptr_t frame, uintptr_t *places
 static void begin_row(struct livelock *l, struct node *n, struct livelock_poll *p,
                       const struct selector *select, uintptr_t place)
 {
-    *p = (struct livelock_poll){.call = n->call, .asks = select != NULL, .since = n->call_since};
+    *p = (struct livelock_poll){.call = n->call.name, .asks = select != NULL, .since = n->call.since};
     if (select)
         p->select = *select;
     p->places[0] = place;
@@ -96,8 +96,8 @@ static void hear_finds_nothing(struct observer *o, struct node *n, const struct 
     uintptr_t place = crossing_caller();
     struct livelock *l = signs_of(o);
     struct livelock_poll *p = l->latest;
-    if (!p || !is_of(p, n->call, select, place))
-        p = l->latest = find(l, n->call, select, place);
+    if (!p || !is_of(p, n->call.name, select, place))
+        p = l->latest = find(l, n->call.name, select, place);
     if (p->count == 0)
         begin_row(l, n, p, select, place);
     p->spent += time_of(n, p, select != NULL);

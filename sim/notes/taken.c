@@ -42,9 +42,9 @@ static void note_calls(const struct node *n, uintptr_t at[], const uintptr_t *fr
     enum { MOST_FRAMES = 24 };
     int found = 0;
     for (int i = 0; i < MOST_FRAMES && found < TAKEN_CALLS; i++) {
-        if (frame[1] - (uintptr_t)n->program < n->image_bytes)
+        if (frame[1] - (uintptr_t)n->guest.program < n->guest.image_bytes)
             at[found++] = frame[1];
-        if (frame[0] <= (uintptr_t)frame || frame[0] >= (uintptr_t)n->stack + n->stack_bytes)
+        if (frame[0] <= (uintptr_t)frame || frame[0] >= (uintptr_t)n->guest.stack + n->guest.stack_bytes)
             return;
         frame = (const uintptr_t *)frame[0];
     }
@@ -81,7 +81,7 @@ static void hear_takes_special(struct observer *o, struct node *n, const struct 
     struct taken *t = next(&log_of(o)->by_program);
     fill(t, r->handler ? TAKEN_BY_HANDLER : TAKEN_BY_RECEIVE, r->m, r->m->complete);
     t->by = r->select;
-    t->call = r->handler ? "hrecv" : n->call;
+    t->call = r->handler ? "hrecv" : n->call.name;
     if (r->handler)
         t->at[0] = (uintptr_t)r->handler + 1; /* as if a call in its first instruction returned */
     else

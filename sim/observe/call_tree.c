@@ -19,7 +19,7 @@ static const char HANDLERS[] = "(handlers)", WAITING[] = "(waiting)";
 
 bool call_tree_possible(const struct node *n)
 {
-    return n->image && n->image->bodies_begin != n->image->bodies_end;
+    return n->guest.image && n->guest.image->bodies_begin != n->guest.image->bodies_end;
 }
 
 /* --- spots and shares --- */
@@ -82,7 +82,7 @@ static uint32_t share_at(struct call_tree *t, uint32_t spot, const char *file, i
 static const char *text_of(const struct node *n, const struct nxc_cell *cells, int32_t text)
 {
     const char *s = (const char *)cells + text;
-    return !text ? "" : s >= n->program && s < n->program + n->image_bytes ? s : "?";
+    return !text ? "" : s >= n->guest.program && s < n->guest.program + n->guest.image_bytes ? s : "?";
 }
 
 static const struct nxc_cell *cells_of(const struct nxc_body *b)
@@ -99,7 +99,7 @@ static const struct nxc_weight *weights_of(const struct nxc_body *b)
 static const struct nxc_body *first_nodes(const struct machine *m, const struct node *n,
                                           const struct nxc_body *b)
 {
-    return (const struct nxc_body *)(m->sys.nodes[0]->program + ((const char *)b - n->program));
+    return (const struct nxc_body *)(m->sys.nodes[0]->guest.program + ((const char *)b - n->guest.program));
 }
 
 /* The spot of a function that is the function of a spot, or inlined into it. */
@@ -171,14 +171,14 @@ static int64_t add_paths(struct call_tree *t, const struct machine *m, const str
 static void add_computing(struct call_tree *t, const struct machine *m, const struct node *n)
 {
     int64_t rest = (int64_t)n->lp.clock.units;
-    if (!n->cut_short) {
-        rest -= add_paths(t, m, n, 0, n->image->root);
+    if (!n->end.cut_short) {
+        rest -= add_paths(t, m, n, 0, n->guest.image->root);
         const struct node_path_times *times = path_times_of(n);
         if (times->handlers.children)
             rest -= add_paths(t, m, n, named_child(t, 0, SPOT_OTHER, HANDLERS), &times->handlers);
     }
     if (rest) {
-        uint32_t spot = named_child(t, 0, SPOT_OTHER, n->cut_short ? CUT : REST);
+        uint32_t spot = named_child(t, 0, SPOT_OTHER, n->end.cut_short ? CUT : REST);
         uint32_t share = share_at(t, spot, "", 0, true); /* may move t->shares */
         t->shares[share].units[n->id] = rest;
     }
@@ -204,7 +204,7 @@ static void take_time(struct call_tree *t, const struct node *n)
 static uint32_t spot_of(struct call_tree *t, const struct machine *m, const struct node *n,
                         const struct nxc_path *p)
 {
-    if (!p || p == n->image->root)
+    if (!p || p == n->guest.image->root)
         return 0;
     if (p == &path_times_of(n)->handlers)
         return named_child(t, 0, SPOT_OTHER, HANDLERS);

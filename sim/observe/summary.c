@@ -47,8 +47,8 @@ static void print_class(const struct machine *m, FILE *f, const char *name, bool
     uint32_t loaded = 0;
     for (uint32_t k = 0; k < machine_nodes(m); k++) {
         const struct node *n = m->sys.nodes[k];
-        loaded += n->end != NODE_NOT_LOADED;
-        if (n->armed != armed || n->end == NODE_NOT_LOADED)
+        loaded += n->end.how != NODE_NOT_LOADED;
+        if (n->handlers.armed != armed || n->end.how == NODE_NOT_LOADED)
             continue;
         spread_add(&b, vt_seconds(busy(n)));
         spread_add(&i, vt_seconds(n->stats.idle));
@@ -230,8 +230,8 @@ static json_t *node_json(const struct node *n, struct backtrace_lines *lines)
                           vt_seconds(n->stats.idle), "system_s", vt_seconds(n->times.system), "beside_s",
                           vt_seconds(n->stats.overlapped), "waits", waits_json(n), "tasks",
                           json_tasks(n->times.tasks), "memory_peak_bytes", (json_int_t)n->stats.memory_peak,
-                          "exit_code", n->exit_code, "messages_sent", (json_int_t)n->stats.sent, "handlers",
-                          (json_int_t)n->stats.handlers);
+                          "exit_code", n->end.exit_code, "messages_sent", (json_int_t)n->stats.sent,
+                          "handlers", (json_int_t)n->stats.handlers);
     json_t *livelock = livelock_json(n, lines);
     if (livelock)
         json_set(j, "livelock", livelock);

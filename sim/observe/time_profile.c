@@ -13,7 +13,7 @@ bool profile_possible(const struct machine *m)
 
 static enum profile_class class_of(const struct node *n)
 {
-    return n->armed ? PROFILE_ARMED : PROFILE_OTHERS;
+    return n->handlers.armed ? PROFILE_ARMED : PROFILE_OTHERS;
 }
 
 /* --- functions --- */

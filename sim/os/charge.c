@@ -53,18 +53,18 @@ vtime node_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vti
 {
     struct node *n = node_at(ctx, node);
     t = node_system_time(n, t);
-    n->sys_free = vt_max(at, n->sys_free) + t;
+    n->times.sys_free = vt_max(at, n->times.sys_free) + t;
     enum node_task what = task == PROTOCOL_SEND ? NODE_SENDING : NODE_RECEIVING;
     steal(n, what, at, t);
-    ANNOUNCE(n, system, what, n->sys_free, t);
-    return n->sys_free;
+    ANNOUNCE(n, system, what, n->times.sys_free, t);
+    return n->times.sys_free;
 }
 
 vtime charge_entry(struct node_system *sys, uint32_t node, vtime at)
 {
     struct node *n = node_at(sys, node);
     lp_synchronise(&n->lp);
-    bool enters = lp_computes(&n->lp) && at > n->in_kernel && at > n->sys_free;
+    bool enters = lp_computes(&n->lp) && at > n->in_kernel && at > n->times.sys_free;
     return enters ? sys->cfg->entry_ps : 0;
 }
 
@@ -81,12 +81,12 @@ void node_move(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtim
 
 void charge_wait_begins(struct node *n)
 {
-    n->waits_system = n->times.system;
+    n->wait.system = n->times.system;
 }
 
 void charge_wait_ends(struct node *n, vtime t)
 {
-    vtime waited = t - n->lp.blocked_since, busy = n->times.system - n->waits_system;
+    vtime waited = t - n->lp.blocked_since, busy = n->times.system - n->wait.system;
     vtime overlapped = busy > waited ? busy - waited : 0, idle = waited - (busy - overlapped);
     if (overlapped)
         n->times.system -= overlapped, n->stats.overlapped += overlapped;
@@ -94,7 +94,7 @@ void charge_wait_ends(struct node *n, vtime t)
     ANNOUNCE(n, waited, n->lp.blocked_since, t, waited - idle);
     ANNOUNCE(n, charged, -overlapped, idle, false);
     if (idle)
-        waits_add(&n->stats.waits, n->call, n->awaits, n->awaited, idle);
+        waits_add(&n->stats.waits, n->call.name, n->call.awaits, n->call.awaited, idle);
 }
 
 /* --- sums --- */

@@ -57,7 +57,7 @@ static vtime time_of(const struct node *n, vtime noted)
 bool deferred_has_room(const struct node *n)
 {
     return n->deferred.count < DEFERRED_MOST &&
-           (n->call_since | n->lp.clock.units) >> DEFERRED_TIME_BITS == 0;
+           (n->call.since | n->lp.clock.units) >> DEFERRED_TIME_BITS == 0;
 }
 
 static __attribute__((noinline, cold)) struct deferred_cold *new_cold(struct node *n)
@@ -80,11 +80,11 @@ void deferred_begin(struct node *n)
     p->open = true;
     n->calls[i] = (struct deferred_call){.commits = (node_now(n) - p->shift) & TIME_MASK,
                                          .units = n->lp.clock.units & TIME_MASK,
-                                         .has_memory = n->heap_moved,
-                                         .name = n->call};
-    if (n->heap_moved)
+                                         .has_memory = n->memory.heap_moved,
+                                         .name = n->call.name};
+    if (n->memory.heap_moved)
         cold_of(n)->memory[i] = node_memory_now(n);
-    n->heap_moved = false;
+    n->memory.heap_moved = false;
     ANNOUNCE(n, deferred);
 }
 
@@ -92,7 +92,7 @@ void deferred_begin(struct node *n)
  * buffers then. */
 static void know_buffers(struct node *n)
 {
-    n->buffered_known = n->buffered - n->taken;
+    n->memory.buffered_known = n->memory.buffered - n->memory.taken;
 }
 
 static struct message *message_of(const struct node *n, uint32_t i)
@@ -114,13 +114,13 @@ void deferred_resume_caller(struct node *n)
     struct deferred *p = &n->deferred;
     if (p->count == 0) { /* it is committed */
         deferred_begin(n);
-        p->begun = n->call_since;
+        p->begun = n->call.since;
         ANNOUNCE(n, deferred_again);
     }
     p->open = true;
     struct deferred_call *c = open_call(n);
     c->resumes_caller = true;
-    n->cold->deferred_type[index_of(n, p->count - 1)] = (int32_t)n->call_type, c->has_type = n->call_has_type;
+    n->cold->deferred_type[index_of(n, p->count - 1)] = (int32_t)n->call.type, c->has_type = n->call.has_type;
     assert(handed_over(n, p->count - 1) == node_now(n) - p->shift);
     know_buffers(n);
 }
@@ -222,7 +222,7 @@ void deferred_received(struct node *n, struct message *m)
     c->consumed = m;
     c->selected = false, c->consumes_message = true;
     account(n, NODE_COPYING, node_system_time(n, match_copying(n, m)));
-    n->taken += buffered(m);
+    n->memory.taken += buffered(m);
     know_buffers(n);
 }
 
@@ -252,8 +252,8 @@ static void put_off(struct node *n, vtime now)
     vtime late = clock_add_stolen(&n->lp), begun = now - late;
     n->deferred.shift += late;
     n->deferred.commits += late;
-    if (n->call_since >= begun && n->call_since != VT_NEVER)
-        n->call_since += late;
+    if (n->call.since >= begun && n->call.since != VT_NEVER)
+        n->call.since += late;
 }
 
 /* How long the system copies messages that the call has received: m, and those received before it. */
@@ -274,7 +274,7 @@ static void take(struct node *n, const struct deferred_call *c, vtime now)
     now += copying(n, c->consumed);
     for (struct message *m = c->consumed, *next; m; m = next) {
         next = m->next;
-        n->taken -= buffered(m);
+        n->memory.taken -= buffered(m);
         match_done_with(n, m, now);
     }
 }
@@ -353,7 +353,7 @@ static void put_back(struct node *n, const struct deferred_call *c)
     for (struct message *m = c->consumed, *next; m; m = next) {
         next = m->next;
         charge_undo(n, NODE_COPYING, node_system_time(n, match_copying(n, m)));
-        n->taken -= buffered(m);
+        n->memory.taken -= buffered(m);
         match_put_back(n, m);
     }
 }
@@ -394,7 +394,7 @@ void deferred_undo(struct node *n)
         unmake(n);
     p->posts = p->needs_event = 0;
     p->begun = VT_NEVER;
-    assert(n->taken == 0); /* what the calls had received is unexpected again */
+    assert(n->memory.taken == 0); /* what the calls had received is unexpected again */
 }
 
 void deferred_roll_back(struct node *n)
@@ -405,10 +405,10 @@ void deferred_roll_back(struct node *n)
         return;
     const struct deferred_call *c = first(n);
     clock_return_to(&n->lp, c->units, p->commits);
-    n->at_poll = false;
+    n->wait.at_poll = false;
     uint32_t i = index_of(n, 0);
-    n->call = p->begun == VT_NEVER ? NULL : c->name; /* otherwise the program has not come to the call */
-    n->call_since = p->begun;
-    n->call_type = n->cold->deferred_type[i], n->call_has_type = c->has_type;
+    n->call.name = p->begun == VT_NEVER ? NULL : c->name; /* otherwise the program has not come to the call */
+    n->call.since = p->begun;
+    n->call.type = n->cold->deferred_type[i], n->call.has_type = c->has_type;
     deferred_undo(n);
 }

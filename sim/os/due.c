@@ -54,7 +54,7 @@ void due_add(struct node *n, vtime at, struct receive *r, struct send *s)
 
 bool due_may_interrupt(const struct node *n)
 {
-    return n->mailbox.handlers > 0 && !n->masked && !n->in_handler;
+    return n->mailbox.handlers > 0 && !n->handlers.masked && !n->in_handler;
 }
 
 vtime due_next(const struct node *n)
@@ -63,13 +63,13 @@ vtime due_next(const struct node *n)
     const struct order_policy *orders = order_policy_of(n);
     if (first && orders && !orders->lets_handler_run(n))
         return VT_NEVER; /* it waits for a call */
-    return first ? vt_max(first->at, clock_when(&n->lp, n->share_until)) : VT_NEVER;
+    return first ? vt_max(first->at, clock_when(&n->lp, n->handlers.share_until)) : VT_NEVER;
 }
 
 bool due_now(const struct node *n, vtime now)
 {
     const struct due *first = due_first(&n->mailbox);
     const struct order_policy *orders = order_policy_of(n);
-    return first && first->at <= now && !n->masked && !n->in_handler &&
+    return first && first->at <= now && !n->handlers.masked && !n->in_handler &&
            (!orders || orders->lets_handler_run(n));
 }

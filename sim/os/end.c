@@ -9,8 +9,8 @@
 
 static void has_ended(struct node *n, enum node_end how, int code, vtime at)
 {
-    n->end = how;
-    n->exit_code = code;
+    n->end.how = how;
+    n->end.exit_code = code;
     lp_end(&n->lp);
     n->stats.ended_at = at;
     ANNOUNCE(n, ends, at);
@@ -20,9 +20,9 @@ static void has_ended(struct node *n, enum node_end how, int code, vtime at)
     if (!n->sys->await_ends)
         return;
     for (uint32_t i = 0; i < n->sys->count; i++)
-        if (n->sys->nodes[i]->awaits_end)
+        if (n->sys->nodes[i]->end.awaits)
             lp_wake(&n->sys->nodes[i]->lp, at);
-    if (n->sys->host && n->sys->host->awaits_end)
+    if (n->sys->host && n->sys->host->end.awaits)
         lp_wake(&n->sys->host->lp, at);
 }
 
@@ -49,7 +49,7 @@ const struct node *node_bad_exit(const struct node_system *s)
 
 void node_stop(struct node *n, struct instant at)
 {
-    n->cut_short = lp_roll_back(&n->lp, at);
+    n->end.cut_short = lp_roll_back(&n->lp, at);
     n->stats.away = at.time - charge_sum(n);
 }
 
@@ -64,20 +64,20 @@ void node_end_other(struct node *n, struct node *victim)
 
 void node_awaits_end(struct node *n, bool awaits)
 {
-    n->sys->await_ends += (uint32_t)awaits - n->awaits_end;
-    n->awaits_end = awaits;
+    n->sys->await_ends += (uint32_t)awaits - n->end.awaits;
+    n->end.awaits = awaits;
 }
 
 void node_notice_end(struct node *n)
 {
-    n->end_noticed = true;
+    n->end.noticed = true;
 }
 
 void node_end_crashed(struct node *n)
 {
     lp_end(&n->lp);
-    n->end = NODE_CRASHED;
-    n->cut_short = !n->call;
+    n->end.how = NODE_CRASHED;
+    n->end.cut_short = !n->call.name;
     n->stats.ended_at = node_now(n);
 }
 
@@ -87,8 +87,8 @@ void node_settle(struct node *n, struct instant end, bool at_a_time)
     if (lp_computes(&n->lp) && at_a_time) {
         node_stop(n, end);
         n->stats.ended_at = end.time;
-        if (n->call && !instant_before(n->call_since, n->lp.address, end))
-            n->call = NULL; /* the program has not come to the call */
+        if (n->call.name && !instant_before(n->call.since, n->lp.address, end))
+            n->call.name = NULL; /* the program has not come to the call */
     } else if (n->lp.state != LP_ENDED) {
         n->stats.ended_at = node_now(n);
     }

@@ -20,7 +20,7 @@ void node_end_crashed(struct node *n);
 /* Has its program ended by exit with a status that tells of an error? (What main returns tells of none.) */
 static inline bool node_exited_badly(const struct node *n)
 {
-    return n->end == NODE_EXITED && n->exit_code != 0;
+    return n->end.how == NODE_EXITED && n->end.exit_code != 0;
 }
 /* The first node that has; NULL: none. */
 const struct node *node_bad_exit(const struct node_system *s);

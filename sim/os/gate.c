@@ -32,15 +32,15 @@ static __attribute__((noinline, cold)) void fail_lookahead(struct node *n)
                  " cost units of computing, within the program's lookahead of %" PRIu64
                  ": a function of the program has the name of one of the C library's, or nxcc has a bug; "
                  "compile with -O0, which makes no lookahead, and report it",
-                 n->call, spent, spent + clock_lookahead_units(&n->lp));
+                 n->call.name, spent, spent + clock_lookahead_units(&n->lp));
 }
 
 static void begin_call(struct node *n, const char *call, bool early)
 {
-    n->call = call;
-    n->call_has_type = n->awaits = false;
-    n->call_since = clock_stop(&n->lp);
-    n->hands_over = early;
+    n->call.name = call;
+    n->call.has_type = n->call.awaits = false;
+    n->call.since = clock_stop(&n->lp);
+    n->call.hands_over = early;
     offload_note_segment(&n->lp, call);
     if (clock_lookahead_is_broken(&n->lp))
         fail_lookahead(n);
@@ -49,9 +49,9 @@ static void begin_call(struct node *n, const char *call, bool early)
 /* Waits for the call's commit time. (Out of line: what most calls need has few registers then.) */
 static __attribute__((noinline)) void await_commit(struct node *n)
 {
-    n->call_since = VT_NEVER; /* the program has not come to the call */
+    n->call.since = VT_NEVER; /* the program has not come to the call */
     node_order(n);
-    n->call_since = node_now(n);
+    n->call.since = node_now(n);
     ANNOUNCE(n, call_begins);
     while (handlers_run(n, false))
         node_order(n);
@@ -69,15 +69,15 @@ void node_enter(struct node *n, const char *call)
 static bool may_defer(const struct node *n)
 {
     const struct schedule *s = n->lp.schedule;
-    return !n->in_order && n->lp.state != LP_OFFLOADED && !n->lp.clock.stolen && !s->stop &&
-           n->call_since <= s->max_time && deferred_has_room(n) && !match_ignores(n) &&
-           !offload_is_long_next(&n->lp) && !lp_is_passed(&n->lp, n->call_since);
+    return !n->deferred.never && n->lp.state != LP_OFFLOADED && !n->lp.clock.stolen && !s->stop &&
+           n->call.since <= s->max_time && deferred_has_room(n) && !match_ignores(n) &&
+           !offload_is_long_next(&n->lp) && !lp_is_passed(&n->lp, n->call.since);
 }
 
 /* The call, which may be deferred, is the next in the total order. */
 static void commit_at_once(struct node *n)
 {
-    lp_commit(&n->lp, n->call_since);
+    lp_commit(&n->lp, n->call.since);
     ANNOUNCE(n, call_begins);
     node_memory_settle(n);
 }
@@ -87,7 +87,7 @@ void node_enter_early(struct node *n, const char *call)
     begin_call(n, call, true);
     if (!may_defer(n))
         await_commit(n);
-    else if (n->deferred.count || !lp_is_next(&n->lp, n->call_since))
+    else if (n->deferred.count || !lp_is_next(&n->lp, n->call.since))
         deferred_begin(n);
     else if (schedule_has_not_looked(n->lp.schedule, 1))
         await_commit(n);
@@ -98,7 +98,7 @@ void node_enter_early(struct node *n, const char *call)
 void node_leave(struct node *n)
 {
     ANNOUNCE(n, call_ends);
-    n->call = NULL;
+    n->call.name = NULL;
     if (!n->deferred.open) {
         node_memory_settle(n);
         clock_note_committed(&n->lp, n->lp.clock.units);
@@ -143,8 +143,8 @@ void node_nxc_preempt(void)
     vtime now = clock_sync(lp);
     clock_take_lookahead(lp);
     clock_reach_boundary(lp, crossing_caller());
-    n->frame = (uintptr_t)__builtin_frame_address(0);
-    n->at_poll = true;
+    n->wait.frame = (uintptr_t)__builtin_frame_address(0);
+    n->wait.at_poll = true;
     if (lp->interruptible && !(lp->state == LP_OFFLOADED && now < lp->until))
         listen(n);
     else if (now > lp->schedule->max_time)
@@ -153,7 +153,7 @@ void node_nxc_preempt(void)
         look(n);
     clock_allow(lp, lp->state == LP_OFFLOADED && !lp->interruptible ? schedule_end_of_time(lp->schedule)
                                                                     : lp_deadline(lp));
-    n->at_poll = false;
+    n->wait.at_poll = false;
 }
 
 /* --- waiting --- */
@@ -175,7 +175,7 @@ static bool run_handlers(struct node *n, bool (*ready)(struct node *n, void *arg
 static bool switch_away(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
 {
     n->wait.ready = ready, n->wait.arg = arg;
-    n->frame = (uintptr_t)__builtin_frame_address(0);
+    n->wait.frame = (uintptr_t)__builtin_frame_address(0);
     lp_yield(&n->lp);
     n->wait.ready = NULL;
     return n->lp.blocked_since != VT_NEVER;
@@ -194,16 +194,16 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
     struct lp *lp = &n->lp;
     vtime now = clock_sync(lp);
     n->deferred.open = false;
-    bool yields = order_must_yield(n, now), early = yields && n->hands_over,
+    bool yields = order_must_yield(n, now), early = yields && n->call.hands_over,
          is_ready = early && ready(n, arg);
     if (is_ready && may_resume_early(n, now)) {
         deferred_resume_caller(n);
         return;
     }
-    n->hands_over = false;
+    n->call.hands_over = false;
     lp_begin_wait(lp);
     if (yields) {
-        if (early && !is_ready && !n->armed && !n->is_host && lp_may_block_lazily(lp, now))
+        if (early && !is_ready && !n->handlers.armed && !n->is_host && lp_may_block_lazily(lp, now))
             lp_block_lazily(lp);
         else
             lp_prepare_yield(lp, now);

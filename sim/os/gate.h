@@ -20,10 +20,10 @@ static inline void gate_begin_segment(struct node *n)
  * typesel. */
 static inline void gate_about(struct node *n, long type)
 {
-    n->call_type = type, n->call_has_type = true;
+    n->call.type = type, n->call.has_type = true;
 }
 static inline void gate_awaits(struct node *n, long type)
 {
-    n->awaited = type, n->awaits = true;
+    n->call.awaited = type, n->call.awaits = true;
 }
 #endif

@@ -21,7 +21,7 @@ void mailbox_post_handler(struct node *n, const struct receive *what)
     struct receive *r = xmalloc(sizeof *r);
     *r = *what;
     n->mailbox.handlers++;
-    n->armed = n->in_order = true;
+    n->handlers.armed = n->deferred.never = true;
     mailbox_post(n, r);
 }
 
@@ -30,23 +30,23 @@ struct send *mailbox_send_handler(struct node *n, mailbox_handler *handler, long
     struct send *s = xcalloc(1, sizeof *s);
     s->handler = handler, s->param = param;
     n->mailbox.handlers++;
-    n->armed = n->in_order = true;
+    n->handlers.armed = n->deferred.never = true;
     return s;
 }
 
 /* Handlers are let run from now on. */
 void handlers_open(struct node *n)
 {
-    n->opened.at = node_now(n);
-    n->opened.units = n->lp.clock.units;
+    n->handlers.opened_at = node_now(n);
+    n->handlers.opened_units = n->lp.clock.units;
 }
 
 /* The delay of a handler that was due at a time: none if its program has computed nothing since handlers were
  * let run; otherwise counted from then on at most. */
 static vtime delay(struct node *n, vtime due)
 {
-    vtime now = node_now(n), from = vt_max(due, n->opened.at);
-    return n->lp.clock.units == n->opened.units || from > now ? 0 : now - from;
+    vtime now = node_now(n), from = vt_max(due, n->handlers.opened_at);
+    return n->lp.clock.units == n->handlers.opened_units || from > now ? 0 : now - from;
 }
 
 /* Runs the first handler that is due. */
@@ -85,19 +85,15 @@ static void run_first(struct node *n)
  * made. */
 static void run_within(struct node *n)
 {
-    const char *call = n->call;
-    long type = n->call_type, awaited = n->awaited;
-    bool has_type = n->call_has_type, awaits = n->awaits, hands_over = n->hands_over;
-    vtime since = n->call_since;
+    struct node_call call = n->call;
     run_first(n);
-    n->call = call, n->call_type = type, n->call_has_type = has_type, n->call_since = since;
-    n->awaited = awaited, n->awaits = awaits, n->hands_over = hands_over;
+    n->call = call;
 }
 
 bool handlers_mask(struct node *n, bool masked)
 {
-    bool before = n->masked;
-    n->masked = masked;
+    bool before = n->handlers.masked;
+    n->handlers.masked = masked;
     ANNOUNCE(n, masks, masked);
     return before;
 }
@@ -120,7 +116,7 @@ bool handlers_run_due(struct node *n, bool waits)
         return false;
     if (waits)
         run_within(n);
-    else if (n->share_until <= n->lp.clock.units)
+    else if (n->handlers.share_until <= n->lp.clock.units)
         interrupt(n);
     else
         return false;

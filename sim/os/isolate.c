@@ -16,25 +16,26 @@ static void protect(char *from, size_t bytes, int how)
 static void set_writable(const struct node *n, bool writable)
 {
     int how = writable ? PROT_READ | PROT_WRITE : PROT_READ;
-    char *data = n->data;
-    if (n->region->copies_text) { /* code and data have no mappings of their own */
-        protect(n->stack, (size_t)(n->program + n->image_bytes - n->stack), how | PROT_EXEC);
+    char *data = n->guest.data;
+    if (n->guest.region->copies_text) { /* code and data have no mappings of their own */
+        protect(n->guest.stack, (size_t)(n->guest.program + n->guest.image_bytes - n->guest.stack),
+                how | PROT_EXEC);
     } else {
-        protect(n->stack, (size_t)(n->program - n->stack), how);
-        protect(data, (size_t)(n->program + n->image_bytes - data), how);
+        protect(n->guest.stack, (size_t)(n->guest.program - n->guest.stack), how);
+        protect(data, (size_t)(n->guest.program + n->guest.image_bytes - data), how);
     }
-    protect(n->heap_start, n->region->heap_bytes, how);
+    protect(n->guest.heap_start, n->guest.region->heap_bytes, how);
 }
 
 void isolate_made(struct node *n)
 {
-    if (n->sys->isolate && n->region)
+    if (n->sys->isolate && n->guest.region)
         set_writable(n, false);
 }
 
 static void close_writable(struct node_system *s)
 {
-    if (s->writable && s->writable->region)
+    if (s->writable && s->writable->guest.region)
         set_writable(s->writable, false);
 }
 

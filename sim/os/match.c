@@ -41,7 +41,7 @@ void match_end(struct node *n)
 {
     struct mailbox *b = &n->mailbox;
     free_messages(b->whole);
-    free_messages(n->coming);
+    free_messages(n->unexpected.coming);
     unexpected_end(n);
     due_free(b);
     free_posted(b);
@@ -53,7 +53,7 @@ void match_end(struct node *n)
 static void buffer(struct node *n, struct message *m)
 {
     m->buffered = true;
-    n->buffered += m->bytes;
+    n->memory.buffered += m->bytes;
     node_memory_changed(n);
 }
 
@@ -65,7 +65,7 @@ static bool room_for(struct node *n, const struct message *m)
 /* Room has become free: clears the messages that wait for room to send, in the order of their requests. */
 static void grant_waiting(struct node *n, vtime now)
 {
-    for (struct message *m = n->coming; m && n->mailbox.waiting; m = m->next) {
+    for (struct message *m = n->unexpected.coming; m && n->mailbox.waiting; m = m->next) {
         if (!m->is_long || m->cleared || m->held)
             continue;
         if (!room_for(n, m))
@@ -81,7 +81,7 @@ static void unbuffer(struct node *n, struct message *m, vtime now)
     if (!m->buffered)
         return;
     m->buffered = false;
-    n->buffered -= m->bytes;
+    n->memory.buffered -= m->bytes;
     grant_waiting(n, now);
 }
 
@@ -281,7 +281,7 @@ static void throw_away_all(struct node *n, struct message *list, int64_t typesel
 void match_flush(struct node *n, int64_t typesel, vtime now)
 {
     throw_away_all(n, n->mailbox.whole, typesel, now);
-    throw_away_all(n, n->coming, typesel, now);
+    throw_away_all(n, n->unexpected.coming, typesel, now);
 }
 
 /* --- when a program is gone --- */
@@ -335,7 +335,7 @@ static void throw_away_list(struct node *n, struct message **list, vtime now)
 
 void match_empty(struct node *n, vtime now)
 {
-    throw_away_list(n, &n->coming, now);
+    throw_away_list(n, &n->unexpected.coming, now);
     throw_away_list(n, &n->mailbox.whole, now);
     for (struct message *m = protocol_to(n->sys->schedule.protocol, n->lp.address); m;
          m = protocol_next_to(m))
@@ -346,7 +346,7 @@ void match_inherit(struct node *n, struct node *before)
 {
     unexpected_inherit(n, before);
     n->mailbox.waiting = before->mailbox.waiting;
-    n->buffered = before->buffered;
+    n->memory.buffered = before->memory.buffered;
     node_memory_changed(n);
 }
 

@@ -20,17 +20,17 @@ size_t node_memory_limit(const struct node *n)
 /* What the program takes without its heap and messages. */
 static size_t memory_fixed(const struct node *n)
 {
-    return n->heap ? n->image_bytes + n->sys->cfg->stack_bytes : 0; /* none: no program */
+    return n->guest.heap ? n->guest.image_bytes + n->sys->cfg->stack_bytes : 0; /* none: no program */
 }
 
 size_t node_memory_used(const struct node *n)
 {
-    return memory_fixed(n) + n->heap_known + n->buffered;
+    return memory_fixed(n) + n->memory.heap_known + n->memory.buffered;
 }
 
 size_t node_memory_claimed(const struct node *n)
 {
-    return system_bytes(n) + memory_fixed(n) + n->heap_used + n->buffered_known;
+    return system_bytes(n) + memory_fixed(n) + n->memory.heap + n->memory.buffered_known;
 }
 
 void node_memory_changed(struct node *n)
@@ -40,16 +40,16 @@ void node_memory_changed(struct node *n)
         n->stats.memory_peak = used;
 }
 
-struct node_memory node_memory_now(const struct node *n)
+struct memory_mark node_memory_now(const struct node *n)
 {
-    return (struct node_memory){n->heap_used, n->peak_ahead};
+    return (struct memory_mark){n->memory.heap, n->memory.peak_ahead};
 }
 
-void node_memory_was(struct node *n, struct node_memory m)
+void node_memory_was(struct node *n, struct memory_mark m)
 {
-    if (m.heap == n->heap_known && m.peak <= n->stats.memory_peak)
+    if (m.heap == n->memory.heap_known && m.peak <= n->stats.memory_peak)
         return;
-    n->heap_known = m.heap;
+    n->memory.heap_known = m.heap;
     if (m.peak > n->stats.memory_peak)
         n->stats.memory_peak = m.peak;
     node_memory_changed(n);
@@ -57,25 +57,25 @@ void node_memory_was(struct node *n, struct node_memory m)
 
 void node_memory_settle(struct node *n)
 {
-    if (n->heap_moved)
+    if (n->memory.heap_moved)
         node_memory_was(n, node_memory_now(n));
-    n->heap_moved = false;
-    if (!n->hands_over)
-        n->buffered_known = n->buffered;
+    n->memory.heap_moved = false;
+    if (!n->call.hands_over)
+        n->memory.buffered_known = n->memory.buffered;
 }
 
 int memory_has_room(void *ctx, size_t bytes)
 {
     const struct node *n = ctx;
-    return memory_fixed(n) + bytes + n->buffered_known <= node_memory_limit(n);
+    return memory_fixed(n) + bytes + n->memory.buffered_known <= node_memory_limit(n);
 }
 
 void memory_heap_is(void *ctx, size_t used)
 {
     struct node *n = ctx;
-    n->heap_used = used;
-    n->heap_moved = true;
-    size_t all = memory_fixed(n) + used + n->buffered_known;
-    if (all > n->peak_ahead)
-        n->peak_ahead = all;
+    n->memory.heap = used;
+    n->memory.heap_moved = true;
+    size_t all = memory_fixed(n) + used + n->memory.buffered_known;
+    if (all > n->memory.peak_ahead)
+        n->memory.peak_ahead = all;
 }

@@ -18,8 +18,8 @@ void node_memory_changed(struct node *n);
  * deferred, the heap against all messages. */
 void node_memory_settle(struct node *n);
 /* The program's memory now; and, for messages, as it was in a call that has been committed. */
-struct node_memory node_memory_now(const struct node *n);
-void node_memory_was(struct node *n, struct node_memory m);
+struct memory_mark node_memory_now(const struct node *n);
+void node_memory_was(struct node *n, struct memory_mark m);
 
 /* --- for guest/heap.h, with ctx = the node --- */
 

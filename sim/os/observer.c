@@ -30,7 +30,7 @@ void observer_add(struct node *n, struct observer *o)
     while (*end)
         end = &(*end)->next;
     o->next = NULL;
-    n->in_order |= o->hears->in_order;
+    n->deferred.never |= o->hears->in_order;
     *end = o;
     note_heard(n);
 }

@@ -28,7 +28,7 @@ struct announcements {
      * t: the observer may remove itself. */
     void (*no_program)(struct observer *o, struct node *n, vtime t);
     void (*ends)(struct observer *o, struct node *n, vtime t);
-    /* The program has come to the call n->call; leaves it, or begins, and computes from now on. */
+    /* The program has come to the call n->call.name; leaves it, or begins, and computes from now on. */
     void (*call_begins)(struct observer *o, struct node *n);
     void (*call_ends)(struct observer *o, struct node *n);
     /* No handler runs any more before the call does what it is for. */

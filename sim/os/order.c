@@ -7,7 +7,7 @@
 /* What the program may spend was reckoned before the system took time from it. */
 static void allow_anew(struct node *n)
 {
-    if (!n->call)
+    if (!n->call.name)
         clock_allow(&n->lp, lp_deadline(&n->lp));
 }
 
@@ -24,7 +24,7 @@ void node_order(struct node *n)
     bool yielded = false;
     while (order_must_yield(n, now)) {
         lp_prepare_yield(&n->lp, now);
-        n->frame = (uintptr_t)__builtin_frame_address(0);
+        n->wait.frame = (uintptr_t)__builtin_frame_address(0);
         lp_yield(&n->lp);
         now = node_now(n);
         yielded = true;

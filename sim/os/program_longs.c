@@ -5,7 +5,7 @@
 
 size_t node_long_bytes(const struct node *n)
 {
-    return (size_t)n->image->long_bytes;
+    return (size_t)n->guest.image->long_bytes;
 }
 
 long node_get_long(const struct node *n, const long *array, size_t i)

@@ -6,20 +6,23 @@
 void share_give(struct node *n, vtime h)
 {
     const uint64_t share = n->sys->cfg->program_milli;
-    n->share_until = (n->share_until > n->lp.clock.units ? n->share_until : n->lp.clock.units) +
-                     clock_units_in(&n->lp, h / (1000 - share) * share);
+    n->handlers.share_until =
+        (n->handlers.share_until > n->lp.clock.units ? n->handlers.share_until : n->lp.clock.units) +
+        clock_units_in(&n->lp, h / (1000 - share) * share);
 }
 
 void share_use(struct node *n, vtime t)
 {
-    uint64_t left = n->share_until > n->lp.clock.units ? n->share_until - n->lp.clock.units : 0, used;
+    uint64_t left = n->handlers.share_until > n->lp.clock.units ? n->handlers.share_until - n->lp.clock.units
+                                                                : 0,
+             used;
     if (!left || n->in_handler)
         return;
     used = clock_units_in(&n->lp, t);
-    n->share_until -= used < left ? used : left;
+    n->handlers.share_until -= used < left ? used : left;
 }
 
 void share_end(struct node *n)
 {
-    n->share_until = 0;
+    n->handlers.share_until = 0;
 }

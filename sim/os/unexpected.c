@@ -9,15 +9,15 @@
 
 void unexpected_begin(struct node *n)
 {
-    n->mailbox.whole = n->coming = NULL;
+    n->mailbox.whole = n->unexpected.coming = NULL;
     n->mailbox.whole_end = &n->mailbox.whole;
-    n->by_type = NULL;
-    n->whole_count = 0, n->whole_order = 0;
+    n->unexpected.by_type = NULL;
+    n->unexpected.count = 0, n->unexpected.order = 0;
 }
 
 void unexpected_end(struct node *n)
 {
-    queues_free(n->by_type);
+    queues_free(n->unexpected.by_type);
 }
 
 /* Must a and b be found in the order in which they were sent? (MPI's rule has no regard to types.) */
@@ -34,9 +34,9 @@ enum { FEW_WHOLE = 32 };
 /* Makes the index of the messages that are there. */
 static void begin_types(struct node *n)
 {
-    n->by_type = queues_new();
+    n->unexpected.by_type = queues_new();
     for (struct message *m = n->mailbox.whole; m; m = m->next)
-        queues_add(n->by_type, (uint32_t)m->type, ++n->whole_order, m);
+        queues_add(n->unexpected.by_type, (uint32_t)m->type, ++n->unexpected.order, m);
 }
 
 static void link_whole(struct node *n, struct message **link, struct message *m)
@@ -54,18 +54,18 @@ static void link_whole(struct node *n, struct message **link, struct message *m)
 static void append_whole(struct node *n, struct message *m)
 {
     link_whole(n, n->mailbox.whole_end, m);
-    if (n->by_type)
-        queues_add(n->by_type, (uint32_t)m->type, ++n->whole_order, m);
-    if (++n->whole_count > FEW_WHOLE && !n->by_type)
+    if (n->unexpected.by_type)
+        queues_add(n->unexpected.by_type, (uint32_t)m->type, ++n->unexpected.order, m);
+    if (++n->unexpected.count > FEW_WHOLE && !n->unexpected.by_type)
         begin_types(n);
 }
 
 static void prepend_whole(struct node *n, struct message *m)
 {
     link_whole(n, &n->mailbox.whole, m);
-    if (n->by_type)
-        queues_add(n->by_type, (uint32_t)m->type, -++n->whole_order, m);
-    n->whole_count++;
+    if (n->unexpected.by_type)
+        queues_add(n->unexpected.by_type, (uint32_t)m->type, -++n->unexpected.order, m);
+    n->unexpected.count++;
 }
 
 static void remove_whole(struct node *n, struct message *m)
@@ -76,11 +76,11 @@ static void remove_whole(struct node *n, struct message *m)
         m->next->whole_link = m->whole_link;
     else
         n->mailbox.whole_end = m->whole_link;
-    if (n->by_type)
-        queues_remove(n->by_type, (uint32_t)m->type, m);
-    if (--n->whole_count == 0) {
-        queues_free(n->by_type);
-        n->by_type = NULL;
+    if (n->unexpected.by_type)
+        queues_remove(n->unexpected.by_type, (uint32_t)m->type, m);
+    if (--n->unexpected.count == 0) {
+        queues_free(n->unexpected.by_type);
+        n->unexpected.by_type = NULL;
     }
 }
 
@@ -88,7 +88,7 @@ static __attribute__((noinline)) struct message *first_of_type(const struct node
                                                                const struct selector *select)
 {
     for (uint32_t i = 0;; i++) {
-        struct message *m = queues_at(n->by_type, (uint32_t)select->type, i);
+        struct message *m = queues_at(n->unexpected.by_type, (uint32_t)select->type, i);
         if (!m || matching_selects(n, select, m))
             return m;
     }
@@ -128,13 +128,13 @@ static struct message **of_same_order(struct message **link, const struct messag
 
 void unexpected_add(struct node *n, struct message *m)
 {
-    link_coming(end_of(&n->coming), m);
+    link_coming(end_of(&n->unexpected.coming), m);
 }
 
 /* Makes whole the messages that m has an order with, m among them, up to the first that has not arrived. */
 void unexpected_has_arrived(struct node *n, const struct message *m)
 {
-    struct message **link = of_same_order(&n->coming, m);
+    struct message **link = of_same_order(&n->unexpected.coming, m);
     while (*link && (*link)->arrived) {
         append_whole(n, unlink_coming(link));
         link = of_same_order(link, m);
@@ -143,11 +143,11 @@ void unexpected_has_arrived(struct node *n, const struct message *m)
 
 struct message *unexpected_first(const struct node *n, const struct selector *select)
 {
-    if (!n->mailbox.whole && !n->coming)
+    if (!n->mailbox.whole && !n->unexpected.coming)
         return NULL; /* as most often */
-    bool one_type = n->by_type && select->type >= 0 && select->type <= INT32_MAX;
+    bool one_type = n->unexpected.by_type && select->type >= 0 && select->type <= INT32_MAX;
     struct message *m = one_type ? first_of_type(n, select) : matching_first(n, select, n->mailbox.whole);
-    return m ? m : matching_first(n, select, n->coming);
+    return m ? m : matching_first(n, select, n->unexpected.coming);
 }
 
 void unexpected_take(struct node *n, struct message *m)
@@ -157,7 +157,7 @@ void unexpected_take(struct node *n, struct message *m)
         remove_whole(n, m);
         return;
     }
-    struct message **link = &n->coming;
+    struct message **link = &n->unexpected.coming;
     while (*link != m)
         link = &(*link)->next;
     unlink_coming(link);
@@ -168,7 +168,7 @@ void unexpected_take(struct node *n, struct message *m)
 static void put_before_whole(struct node *n, struct message *m)
 {
     struct message **behind = &m->next;
-    link_coming(&n->coming, m);
+    link_coming(&n->unexpected.coming, m);
     for (struct message *w = n->mailbox.whole, *next; w; w = next) {
         next = w->next;
         if (!keep_order(w, m))
@@ -189,7 +189,7 @@ void unexpected_put_back(struct node *n, struct message *m)
 
 void unexpected_inherit(struct node *n, struct node *before)
 {
-    n->coming = before->coming;
+    n->unexpected.coming = before->unexpected.coming;
     for (struct message *m = before->mailbox.whole, *next; m; m = next) {
         next = m->next;
         append_whole(n, m);

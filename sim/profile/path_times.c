@@ -34,8 +34,8 @@ static void hear_charged(struct observer *o, struct node *n, vtime system, vtime
         at(p, NULL, "(interrupts)")->system += system;
         return;
     }
-    const struct nxc_path *path = p->charged ? p->charged : *n->image->path;
-    const char *call = p->charged ? p->charged_call : n->call;
+    const struct nxc_path *path = p->charged ? p->charged : *n->guest.image->path;
+    const char *call = p->charged ? p->charged_call : n->call.name;
     struct path_time *e = at(p, path, path == &p->handlers ? "(interrupt)" : call ? call : "(system)");
     e->system += system;
     e->idle += idle;
@@ -50,7 +50,7 @@ static uint32_t index_of(const struct node *n, uint32_t i)
 
 static void hear_deferred(struct observer *o, struct node *n)
 {
-    times_of(o)->deferred[index_of(n, n->deferred.count - 1)] = *n->image->path;
+    times_of(o)->deferred[index_of(n, n->deferred.count - 1)] = *n->guest.image->path;
 }
 
 static void hear_charges_deferred(struct observer *o, struct node *n, uint32_t i)
@@ -70,13 +70,13 @@ static void hear_charges_program(struct observer *o, struct node *n)
 static void hear_handler_begins(struct observer *o, struct node *n, const struct due *d)
 {
     (void)d;
-    times_of(o)->interrupted = *n->image->path;
-    *n->image->path = &times_of(o)->handlers;
+    times_of(o)->interrupted = *n->guest.image->path;
+    *n->guest.image->path = &times_of(o)->handlers;
 }
 
 static void hear_handler_ends(struct observer *o, struct node *n)
 {
-    *n->image->path = times_of(o)->interrupted;
+    *n->guest.image->path = times_of(o)->interrupted;
 }
 
 /* --- the observer --- */
@@ -90,11 +90,11 @@ static const struct announcements heard = {.charged = hear_charged,
 
 void path_times_begin(struct node *n)
 {
-    if (n->image->bodies_begin == n->image->bodies_end)
+    if (n->guest.image->bodies_begin == n->guest.image->bodies_end)
         return;
     struct node_path_times *p = xcalloc(1, sizeof *p);
     p->observer.hears = &heard;
-    p->handlers.recent = n->image->root;
+    p->handlers.recent = n->guest.image->root;
     observer_add(n, &p->observer);
 }
 

@@ -48,7 +48,7 @@ static struct race_side side_now(struct accessor *a)
 {
     const struct node_races *r = a->r;
     bool handler = is_handlers(a->kind);
-    vtime main_at = a->site || !a->n->call ? r->since : node_now(a->n);
+    vtime main_at = a->site || !a->n->call.name ? r->since : node_now(a->n);
     return (struct race_side){place_of(a), writes(a->kind), handler,
                               handler ? race_run_moment(r, r->handlers.run) : main_at};
 }
@@ -63,8 +63,10 @@ static struct race_side side_then(const struct node_races *r, enum race_kind kin
 static struct race_finding finding(struct accessor *a, enum race_what what, struct race_side earlier,
                                    uintptr_t at)
 {
-    return (struct race_finding){
-        .what = what, .earlier = earlier, .later = side_now(a), .offset = at - (uintptr_t)a->n->program};
+    return (struct race_finding){.what = what,
+                                 .earlier = earlier,
+                                 .later = side_now(a),
+                                 .offset = at - (uintptr_t)a->n->guest.program};
 }
 
 static void found(struct accessor *a, enum race_what what, struct race_side earlier, uintptr_t at)
@@ -345,7 +347,7 @@ static __attribute__((noinline)) void meet_buffers(struct accessor *a, uintptr_t
  * handlers did there is forgotten before it is taken for an access to the next one's variables. */
 static void forget_stack(struct node_races *r, const struct node *n, uintptr_t live)
 {
-    if (live <= r->stack_low || live - (uintptr_t)n->stack >= n->stack_bytes)
+    if (live <= r->stack_low || live - (uintptr_t)n->guest.stack >= n->guest.stack_bytes)
         return;
     race_shadow_forget(r->shadow, r->stack_low, live - r->stack_low);
     r->stack_low = live;
@@ -354,12 +356,12 @@ static void forget_stack(struct node_races *r, const struct node *n, uintptr_t l
 /* A handler's own variables, which lie below what it has interrupted, are no concern of the program's. */
 static bool is_own_stack(const struct node_races *r, const struct node *n, uintptr_t at)
 {
-    return at - (uintptr_t)n->stack < n->stack_bytes && at < r->handlers.frame;
+    return at - (uintptr_t)n->guest.stack < n->guest.stack_bytes && at < r->handlers.frame;
 }
 
 static void note_stack(struct node_races *r, const struct node *n, uintptr_t at)
 {
-    if (at - (uintptr_t)n->stack < n->stack_bytes && at < r->stack_low)
+    if (at - (uintptr_t)n->guest.stack < n->guest.stack_bytes && at < r->stack_low)
         r->stack_low = at;
 }
 
@@ -389,7 +391,9 @@ static inline struct accessor accessor(struct node *n, bool write, bool is_volat
 {
     struct node_races *r = races_of(n);
     bool handler = r->handlers.runs, waits = !write && (is_volatile || excused);
-    enum race_kind kind = handler ? RACE_HANDLER_READ : n->masked ? RACE_MASKED_READ : RACE_MAIN_READ;
+    enum race_kind kind = handler              ? RACE_HANDLER_READ
+                          : n->handlers.masked ? RACE_MASKED_READ
+                                               : RACE_MAIN_READ;
     uint64_t epoch = handler ? r->handlers.run : waits ? r->main.epoch : race_main_epoch(r);
     /* As a whole: members set one by one, and read together soon after, hold up the computer. */
     union {
@@ -459,7 +463,9 @@ static inline bool is_known_access(const struct node *n, const struct node_races
 {
     bool handler = r->handlers.runs;
     unsigned first = at % RACE_WORD;
-    enum race_kind kind = handler ? RACE_HANDLER_READ : n->masked ? RACE_MASKED_READ : RACE_MAIN_READ;
+    enum race_kind kind = handler              ? RACE_HANDLER_READ
+                          : n->handlers.masked ? RACE_MASKED_READ
+                                               : RACE_MAIN_READ;
     kind += site->flags & NXC_RACE_WRITE;
     uint64_t epoch = handler ? r->handlers.run : r->main.epoch;
     if (!race_flights_miss(&r->flights, at, at + site->bytes))

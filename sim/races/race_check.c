@@ -47,17 +47,17 @@ void races_free(struct races *all)
 
 void races_begin(struct races *all, struct node *n)
 {
-    if (!n->image->races || n->asan)
+    if (!n->guest.image->races || n->asan)
         return;
     struct node_races *r = xcalloc(1, sizeof *r);
     r->observer.hears = &race_observer, r->library.hears = &race_mpi_observer;
     r->all = all;
-    r->file = n->file;
+    r->file = n->guest.file;
     r->number = n->is_host ? 0 : n->id + 1;
     memcpy(r->name, n->cold->name, sizeof r->name);
-    r->on = n->image->races->on;
-    r->sites_begin = (uint32_t)((uintptr_t)n->image->races->sites_begin - (uintptr_t)n->program);
-    r->sites_end = (uint32_t)((uintptr_t)n->image->races->sites_end - (uintptr_t)n->program);
+    r->on = n->guest.image->races->on;
+    r->sites_begin = (uint32_t)((uintptr_t)n->guest.image->races->sites_begin - (uintptr_t)n->guest.program);
+    r->sites_end = (uint32_t)((uintptr_t)n->guest.image->races->sites_end - (uintptr_t)n->guest.program);
     r->main.epoch = 1;
     r->stack_low = UINTPTR_MAX;
     r->shadow = race_shadow_new();

@@ -79,7 +79,7 @@ static uint32_t number_of(struct race_places *t, struct race_place *p)
 static const uintptr_t *innermost(const struct node *n, const uintptr_t *frame)
 {
     while (node_may_be_frame(n, (uintptr_t)frame)) {
-        if (frame[1] - (uintptr_t)n->program < n->image_bytes)
+        if (frame[1] - (uintptr_t)n->guest.program < n->guest.image_bytes)
             return frame;
         if (frame[0] <= (uintptr_t)frame)
             break;
@@ -92,8 +92,8 @@ static const uintptr_t *innermost(const struct node *n, const uintptr_t *frame)
 static void walk(const struct node *n, const uintptr_t *frame, struct race_place *p)
 {
     while (node_may_be_frame(n, (uintptr_t)frame) && p->depth < RACE_DEEPEST) {
-        uintptr_t offset = frame[1] - (uintptr_t)n->program;
-        if (offset >= n->image_bytes)
+        uintptr_t offset = frame[1] - (uintptr_t)n->guest.program;
+        if (offset >= n->guest.image_bytes)
             break;
         p->stack[p->depth++] = (uint32_t)offset;
         if (frame[0] <= (uintptr_t)frame)
@@ -108,7 +108,8 @@ static uint64_t key_of(const struct node *n, uint64_t site, const uintptr_t *fra
     enum { LEVELS = 5 }; /* two are in the routines of the program that tell of accesses */
     uint64_t h = mix(site, posted);
     for (int i = 0; i < LEVELS && node_may_be_frame(n, (uintptr_t)frame); i++) {
-        uint64_t caller = frame[1] - (uintptr_t)n->program, depth = (uintptr_t)frame - (uintptr_t)n->stack;
+        uint64_t caller = frame[1] - (uintptr_t)n->guest.program,
+                 depth = (uintptr_t)frame - (uintptr_t)n->guest.stack;
         h = mix(h, caller + (depth << 32));
         frame = (const uintptr_t *)frame[0];
     }
@@ -127,7 +128,7 @@ uint32_t race_places_here(struct race_places *t, const struct node *n, const voi
                           uint32_t posted, const void *frame)
 {
     const uintptr_t *first = innermost(n, frame);
-    uint64_t at = site ? (uintptr_t)site - (uintptr_t)n->program : 0;
+    uint64_t at = site ? (uintptr_t)site - (uintptr_t)n->guest.program : 0;
     struct race_place p = {.site = (uint32_t)at, .call = site ? NULL : call, .posted = posted};
     if (!site)
         return find(t, n, &p, first);

@@ -42,7 +42,8 @@ static struct race_cell *cell_of(const struct node_races *r, uintptr_t word)
 /* Is it in the program's data or heap? Elsewhere the program's own access may be a crash. */
 static bool is_memory(const struct node *n, uintptr_t word)
 {
-    return word - (uintptr_t)n->program < n->image_bytes || word - (uintptr_t)n->heap_start < n->heap_used;
+    return word - (uintptr_t)n->guest.program < n->guest.image_bytes ||
+           word - (uintptr_t)n->guest.heap_start < n->memory.heap;
 }
 
 static uint32_t value_at(uintptr_t word)

@@ -167,7 +167,7 @@ void race_take_off(struct node *n, struct race_flight *f)
 {
     struct node_races *r = races_of(n);
     f->by_handler = r->handlers.runs;
-    f->began = n->call ? node_now(n) : r->since;
+    f->began = n->call.name ? node_now(n) : r->since;
     f->now = now(r);
     f->heard = heard(r);
     race_flights_add(&r->flights, f);
@@ -184,7 +184,7 @@ static void take_off(struct node *n, const void *key, const void *buf, size_t by
                                            .end = begin + bytes,
                                            .receives = receives,
                                            .place = place,
-                                           .call = n->call});
+                                           .call = n->call.name});
 }
 
 static void land(struct node *n, const void *key)
@@ -207,7 +207,7 @@ static void hear_sends(struct observer *by, struct node *n, const struct observe
         protocol_carry(what->first, &new_stamp(r)->cargo);
     if (r->in_library)
         return;
-    uint32_t place = *r->on || lasts ? race_place_in_call(n, n->call, __builtin_frame_address(0)) : 0;
+    uint32_t place = *r->on || lasts ? race_place_in_call(n, n->call.name, __builtin_frame_address(0)) : 0;
     race_buffer_in_call(n, buf, what->bytes, false, place);
     race_access_in_call(n, buf, what->bytes, false, place);
     if (lasts)
@@ -226,7 +226,7 @@ static void hear_posts(struct observer *by, struct node *n, struct receive *r)
 {
     if (checker(by)->in_library)
         return;
-    uint32_t place = race_place_in_call(n, n->call, __builtin_frame_address(0));
+    uint32_t place = race_place_in_call(n, n->call.name, __builtin_frame_address(0));
     race_buffer_in_call(n, (uintptr_t)r->buf, r->room, true, place);
     take_off(n, r, r->buf, r->room, true, place);
 }
@@ -252,7 +252,7 @@ static void hear_takes(struct observer *by, struct node *n, struct receive *r)
     if (r->handler)
         place = race_places_of_handler(c->places, c->handlers.call, c->handlers.posted);
     else
-        place = race_place_in_call(n, n->call, __builtin_frame_address(0));
+        place = race_place_in_call(n, n->call.name, __builtin_frame_address(0));
     race_access_in_call(n, (uintptr_t)r->buf, m->bytes, true, place);
 }
 
@@ -302,7 +302,7 @@ static void hear_masks(struct observer *by, struct node *n, bool masked)
 
 static void hear_moves(struct observer *by, struct node *n, bool write, const void *at, size_t bytes)
 {
-    uint32_t place = *checker(by)->on ? race_place_in_call(n, n->call, __builtin_frame_address(0)) : 0;
+    uint32_t place = *checker(by)->on ? race_place_in_call(n, n->call.name, __builtin_frame_address(0)) : 0;
     race_buffer_in_call(n, (uintptr_t)at, bytes, write, place);
     race_access_in_call(n, (uintptr_t)at, bytes, write, place);
 }

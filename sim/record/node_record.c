@@ -101,8 +101,8 @@ static uint32_t stack_now(const struct node_record *r, struct node *n, const voi
     uint32_t depth = 0;
     for (uintptr_t frame = (uintptr_t)innermost; node_may_be_frame(n, frame) && depth < DEEPEST_STACK;) {
         uintptr_t next = ((const uintptr_t *)frame)[0],
-                  offset = ((const uintptr_t *)frame)[1] - (uintptr_t)n->program;
-        if (offset < n->image_bytes)
+                  offset = ((const uintptr_t *)frame)[1] - (uintptr_t)n->guest.program;
+        if (offset < n->guest.image_bytes)
             offsets[depth++] = offset;
         else if (depth)
             break;
@@ -127,7 +127,7 @@ static void begin_call(struct node_record *r, struct node *n, struct open *o, co
 {
     o->call = (struct recorded_call){
         .address = n->lp.address,
-        .name = recorder_name(recorder_of(n), n->call),
+        .name = recorder_name(recorder_of(n), n->call.name),
         .stack = stack_now(r, n, innermost_frame),
         .flags = (uint8_t)((n->in_handler ? CALL_IN_HANDLER : 0) | (continues(r, n) ? CALL_CONTINUES : 0)),
         .begin = node_now(n)};
@@ -159,8 +159,8 @@ static void hear_call_ends(struct observer *by, struct node *n)
         o->handler.type = n->info.type;
         return;
     }
-    if (n->call_has_type)
-        o->call.flags |= CALL_HAS_TYPE, o->call.type = n->call_type;
+    if (n->call.has_type)
+        o->call.flags |= CALL_HAS_TYPE, o->call.type = n->call.type;
     if (n->deferred.open) {
         o->takes = node_now(n) - o->call.begin;
         o->left = true;
@@ -191,8 +191,8 @@ static void hear_waited(struct observer *by, struct node *n, vtime begin, vtime 
     }
     struct recorded_wait *w = &o->waits[o->call.wait_count++];
     *w = (struct recorded_wait){.begin = begin, .end = end, .busy = busy};
-    if (n->awaits)
-        w->flags |= WAIT_HAS_TYPE, w->type = n->awaited;
+    if (n->call.awaits)
+        w->flags |= WAIT_HAS_TYPE, w->type = n->call.awaited;
     if (o->sends)
         w->flags |= WAIT_SENDS;
     else if (o->from >= 0)
@@ -354,7 +354,7 @@ static void end_open(struct node *n, struct open *o, vtime t, bool unfinished)
 static void hear_ends(struct observer *by, struct node *n, vtime t)
 {
     struct node_record *r = record_of(by);
-    bool unfinished = n->end != NODE_RETURNED && n->end != NODE_EXITED;
+    bool unfinished = n->end.how != NODE_RETURNED && n->end.how != NODE_EXITED;
     for (; r->depth; r->depth--)
         end_open(n, top(r), t, unfinished);
     recorder_node_end(recorder_of(n), n->lp.address, t);

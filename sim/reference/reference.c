@@ -103,9 +103,9 @@ static void compute_on(struct lp *lp)
 void node_order(struct node *n)
 {
     put_commit(&n->lp);
-    n->frame = (uintptr_t)__builtin_frame_address(0);
+    n->wait.frame = (uintptr_t)__builtin_frame_address(0);
     fiber_yield(&n->lp.fiber);
-    if (!n->call)
+    if (!n->call.name)
         compute_on(&n->lp);
 }
 
@@ -116,15 +116,15 @@ void node_nxc_preempt(void)
     struct node *n = node_self();
     clock_sync(&n->lp);
     clock_reach_boundary(&n->lp, crossing_caller());
-    n->frame = (uintptr_t)__builtin_frame_address(0);
-    n->at_poll = true;
+    n->wait.frame = (uintptr_t)__builtin_frame_address(0);
+    n->wait.at_poll = true;
     node_order(n);
     bool any = false;
     for (; handlers_run(n, false); any = true)
         node_order(n);
     if (any)
         gate_begin_segment(n);
-    n->at_poll = false;
+    n->wait.at_poll = false;
     compute_on(&n->lp);
 }
 
@@ -133,11 +133,11 @@ void node_nxc_preempt(void)
 static void enter(struct node *n, const char *call)
 {
     clock_stop(&n->lp);
-    n->call = call;
-    n->call_has_type = n->awaits = false;
-    n->call_since = VT_NEVER; /* it has not come so far */
+    n->call.name = call;
+    n->call.has_type = n->call.awaits = false;
+    n->call.since = VT_NEVER; /* it has not come so far */
     node_order(n);
-    n->call_since = node_now(n);
+    n->call.since = node_now(n);
     ANNOUNCE(n, call_begins);
     while (handlers_run(n, false))
         node_order(n);
@@ -146,13 +146,13 @@ static void enter(struct node *n, const char *call)
 
 void node_enter(struct node *n, const char *call)
 {
-    n->hands_over = false;
+    n->call.hands_over = false;
     enter(n, call);
 }
 
 void node_enter_early(struct node *n, const char *call)
 {
-    n->hands_over = true;
+    n->call.hands_over = true;
     enter(n, call);
 }
 
@@ -160,7 +160,7 @@ void node_leave(struct node *n)
 {
     clock_sync(&n->lp);
     ANNOUNCE(n, call_ends);
-    n->call = NULL;
+    n->call.name = NULL;
     gate_begin_segment(n);
     compute_on(&n->lp);
 }
@@ -191,7 +191,7 @@ void front_received(struct node *n, struct message *m)
 
 void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *arg)
 {
-    n->hands_over = false;
+    n->call.hands_over = false;
     node_order(n);
     for (;;) {
         while (handlers_run(n, !ready(n, arg)))
@@ -199,7 +199,7 @@ void node_wait(struct node *n, bool (*ready)(struct node *n, void *arg), void *a
         if (ready(n, arg))
             return;
         n->wait.ready = ready, n->wait.arg = arg;
-        n->frame = (uintptr_t)__builtin_frame_address(0);
+        n->wait.frame = (uintptr_t)__builtin_frame_address(0);
         lp_block(&n->lp, node_now(n));
         fiber_yield(&n->lp.fiber);
     }

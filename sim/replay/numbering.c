@@ -110,7 +110,7 @@ static void hear_posts(struct observer *o, struct node *n, struct receive *r)
     *noted = (struct numbered_receive){.number = own->receives++,
                                        .select = r->select,
                                        .posted = node_now(n),
-                                       .call = n->call,
+                                       .call = n->call.name,
                                        .link = own->end};
     noted->line = b->line ? b->line(b->line_ctx, n, (uintptr_t)__builtin_frame_address(0)) : NULL;
     if (b->plan)

@@ -82,7 +82,7 @@ static struct message *first_in(struct node *n, const struct receive *r, struct 
 static struct message *first_unexpected(struct node *n, const struct receive *r)
 {
     struct message *m = first_in(n, r, n->mailbox.whole);
-    return m ? m : first_in(n, r, n->coming);
+    return m ? m : first_in(n, r, n->unexpected.coming);
 }
 
 /* --- probes --- */
@@ -91,7 +91,7 @@ static struct message *first_unexpected(struct node *n, const struct receive *r)
 static struct message *first_of(const struct node *n, const struct selector *select,
                                 const struct plan_item *order)
 {
-    struct message *const lists[] = {n->mailbox.whole, n->coming};
+    struct message *const lists[] = {n->mailbox.whole, n->unexpected.coming};
     for (int i = 0; i < 2; i++)
         for (struct message *m = lists[i]; m; m = m->next) {
             const struct plan_item *of = order_of(n, m);

@@ -171,7 +171,7 @@ static void end_node(const struct node *n)
     struct left l = {0};
     for (const struct message *m = n->mailbox.whole; m; m = m->next)
         add(&l, m);
-    for (const struct message *m = n->coming; m; m = m->next)
+    for (const struct message *m = n->unexpected.coming; m; m = m->next)
         if (m->arrived)
             add(&l, m);
     for (struct message *m = protocol_to(n->sys->schedule.protocol, n->lp.address); m;

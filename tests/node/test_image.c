@@ -20,7 +20,7 @@ struct called {
 static void call(void *arg)
 {
     struct called *c = arg;
-    c->answer = (int)crossing_call(c->node->image->main, c->argc, (long)c->argv, 0, 0, 0);
+    c->answer = (int)crossing_call(c->node->guest.image->main, c->argc, (long)c->argv, 0, 0, 0);
     fiber_finish(&c->fiber);
 }
 
@@ -28,8 +28,8 @@ static int call_main(const struct nodes *x, int i, int argc, char **argv)
 {
     const struct node *n = x->node[i];
     struct called c = {.node = n, .argc = argc, .argv = argv};
-    fiber_begin(&c.fiber, n->system_stack, NODE_SYSTEM_STACK, call, &c);
-    crossing_begin(&c.fiber, (void *)(n->stack + n->stack_bytes));
+    fiber_begin(&c.fiber, n->guest.system_stack, NODE_SYSTEM_STACK, call, &c);
+    crossing_begin(&c.fiber, (void *)(n->guest.stack + n->guest.stack_bytes));
     fiber_resume(&c.fiber);
     fiber_end(&c.fiber);
     return c.answer;
@@ -50,8 +50,8 @@ static void globals_are_private(void **state)
     assert_int_equal(call_main(&x, 0, 1, NULL), 41);
     assert_int_equal(call_main(&x, 0, 1, NULL), 42);
     assert_int_equal(call_main(&x, 1, 5, NULL), 45);
-    *x.node[0]->image->left = 77;
-    assert_int_equal(*x.node[1]->image->left, 0);
+    *x.node[0]->guest.image->left = 77;
+    assert_int_equal(*x.node[1]->guest.image->left, 0);
     nodes_free(&x);
 }
 
@@ -95,18 +95,18 @@ static void nodes_of_several_regions_share_their_text(void **state)
     x.sys.most_mappings = 1;
     for (uint32_t i = 0; i < OTHER; i++)
         nodes_add(&x, i, x.image, 0, none, none);
-    assert_ptr_not_equal(x.node[0]->region, x.node[1]->region);
-    assert_true(x.node[0]->text == TEXT_TO_SHARE && x.node[1]->text == TEXT_SHARED);
+    assert_ptr_not_equal(x.node[0]->guest.region, x.node[1]->guest.region);
+    assert_true(x.node[0]->guest.text == TEXT_TO_SHARE && x.node[1]->guest.text == TEXT_SHARED);
     assert_int_equal(call_main(&x, 0, 3, NULL), 3);
     assert_int_equal(call_main(&x, 1, 4, NULL), 4);
-    x.node[0]->program[0] = 0;
-    assert_int_equal(x.node[1]->program[0], '\177');
+    x.node[0]->guest.program[0] = 0;
+    assert_int_equal(x.node[1]->guest.program[0], '\177');
     struct node_image *smaller = open_image(build_as_nxcc(*state, "int main(int argc) { return 7 * argc; }"));
     nodes_add(&x, OTHER, smaller, 0, none, none);
-    assert_true(x.node[OTHER]->region->has_texts && x.node[OTHER]->text == TEXT_OWN);
+    assert_true(x.node[OTHER]->guest.region->has_texts && x.node[OTHER]->guest.text == TEXT_OWN);
     assert_int_equal(call_main(&x, OTHER, 3, NULL), 21);
     for (size_t i = node_image_bytes(smaller); i < node_image_bytes(x.image); i++)
-        assert_int_equal(x.node[OTHER]->program[i], 0);
+        assert_int_equal(x.node[OTHER]->guest.program[i], 0);
     nodes_free(&x);
     node_image_close(smaller);
 }
@@ -167,7 +167,7 @@ static void addresses_have_names_and_lines(void **state)
     char text[100];
     load(&x, 1,
          build(*state, "-g " LINKED_AS_BY_NXCC " " RUNTIME, "\n\nint main(int argc) { return argc + 1; }"));
-    size_t in_main = (size_t)((char *)x.node[0]->image->main - x.node[0]->program);
+    size_t in_main = (size_t)((char *)x.node[0]->guest.image->main - x.node[0]->guest.program);
     node_image_where(x.image, in_main, text, sizeof text);
     assert_string_equal(text, "main+0x0 (prog.c:3)");
     assert_string_equal(node_image_where(x.image, 1 << 30, text, sizeof text), "outside the program");

@@ -202,10 +202,10 @@ static void exit_ends_one_node_with_its_status(void **state)
     struct nodes x;
     run(&x, *state, 2, "int main() { if (mynode() == 0) exit(3); sleep(1); printf(\"on\\n\"); return 4; }");
     assert_string_equal(x.text[0], "on\n");
-    assert_int_equal(x.node[0]->end, NODE_EXITED);
-    assert_int_equal(x.node[0]->exit_code, 3);
-    assert_int_equal(x.node[1]->end, NODE_RETURNED);
-    assert_int_equal(x.node[1]->exit_code, 4);
+    assert_int_equal(x.node[0]->end.how, NODE_EXITED);
+    assert_int_equal(x.node[0]->end.exit_code, 3);
+    assert_int_equal(x.node[1]->end.how, NODE_RETURNED);
+    assert_int_equal(x.node[1]->end.exit_code, 4);
     nodes_free(&x);
 }
 

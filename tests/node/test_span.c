@@ -59,11 +59,12 @@ static void check_guards(struct machine *m, bool data, bool stacks)
 {
     for (int i = 0; i < NODES; i++) {
         struct node *n = &m->node[i];
-        char *heap_end = n->heap_start + n->region->heap_bytes;
-        assert_true(is_there(n->stack) && is_there(n->program) && is_there(n->program + PROGRAM - 1));
-        assert_true(is_there(n->heap_start) && is_there(heap_end - 1));
-        assert_int_equal(is_there(n->stack - 1), !stacks);
-        assert_int_equal(is_there(n->program + PROGRAM), !data);
+        char *heap_end = n->guest.heap_start + n->guest.region->heap_bytes;
+        assert_true(is_there(n->guest.stack) && is_there(n->guest.program) &&
+                    is_there(n->guest.program + PROGRAM - 1));
+        assert_true(is_there(n->guest.heap_start) && is_there(heap_end - 1));
+        assert_int_equal(is_there(n->guest.stack - 1), !stacks);
+        assert_int_equal(is_there(n->guest.program + PROGRAM), !data);
         assert_true(is_there(heap_end));
         span_guard_heap(n);
         assert_int_equal(is_there(heap_end), !data);
@@ -87,11 +88,11 @@ static void guards_are_given_up_when_there_are_too_many_nodes_for_them(void **st
     (void)state;
     take(&m, 7900, 65530, false);
     check_guards(&m, true, true);
-    assert_false(m.node[0].region->copies_text);
+    assert_false(m.node[0].guest.region->copies_text);
     release(&m);
     take(&m, 10500, 65530, false);
     check_guards(&m, true, true);
-    assert_true(m.node[0].region->copies_text);
+    assert_true(m.node[0].guest.region->copies_text);
     release(&m);
     take(&m, 15800, 65530, false);
     check_guards(&m, false, true);
@@ -110,10 +111,11 @@ static void all_memory_tells_whose_it_is(void **state)
     take(&m, NODES, 0, false);
     for (int i = 0; i < NODES; i++) {
         struct node *n = &m.node[i];
-        char *parts[] = {n->system_stack,          n->stack,      n->program,
-                         n->program + PROGRAM - 1, n->heap_start, n->heap_start + n->region->heap_bytes - 1};
+        char *parts[] = {n->guest.system_stack, n->guest.stack,
+                         n->guest.program,      n->guest.program + PROGRAM - 1,
+                         n->guest.heap_start,   n->guest.heap_start + n->guest.region->heap_bytes - 1};
         for (size_t k = 0; k < sizeof parts / sizeof *parts; k++) {
-            if (parts[k] < n->heap_start)
+            if (parts[k] < n->guest.heap_start)
                 assert_ptr_equal(node_at_address((uintptr_t)parts[k]), n);
             for (int j = 0; j < NODES; j++)
                 assert_int_equal(node_owns(&m.node[j], (uintptr_t)parts[k]), i == j);
@@ -131,8 +133,8 @@ static void a_nodes_parts_are_near_to_each_other(void **state)
         take(&m, NODES, 0, false);
         for (int i = 0; i < NODES; i++) {
             const struct node *n = &m.node[i];
-            assert_true(n->heap_start + n->region->heap_bytes - n->stack < 1L << 30);
-            assert_true(n->heap_start > n->program);
+            assert_true(n->guest.heap_start + n->guest.region->heap_bytes - n->guest.stack < 1L << 30);
+            assert_true(n->guest.heap_start > n->guest.program);
         }
         release(&m);
     }
@@ -149,7 +151,7 @@ static void an_address_above_4_gb_is_nobodys_if_a_program_keeps_it_in_an_int(voi
     for (uint32_t i = 0; i < sys.count; i++) {
         node[i] = (struct node){.sys = &sys, .id = i};
         assert_true(span_take(&node[i], NULL, PROGRAM, 0, true, false));
-        uintptr_t at = (uintptr_t)node[i].stack;
+        uintptr_t at = (uintptr_t)node[i].guest.stack;
         intptr_t kept = (int)at;
         above += at > UINT32_MAX;
         for (uint32_t k = 0; at > UINT32_MAX && k < i; k++)
@@ -172,7 +174,8 @@ static void a_cube_of_programs_with_a_long_of_32_bits_lies_below_2_gb(void **sta
     for (int i = 0; i < CUBE; i++) {
         node[i] = (struct node){.sys = &sys, .id = (uint32_t)i};
         assert_true(span_take(&node[i], NULL, PROGRAM, 0, true, false));
-        assert_true((uintptr_t)node[i].heap_start + node[i].region->heap_bytes < UINT64_C(1) << 31);
+        assert_true((uintptr_t)node[i].guest.heap_start + node[i].guest.region->heap_bytes < UINT64_C(1)
+                                                                                                 << 31);
     }
     for (int i = 0; i < CUBE; i++)
         span_release(&node[i]);

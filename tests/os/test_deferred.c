@@ -88,14 +88,14 @@ static void compute(struct fake *f, vtime us)
 
 static void enter(struct fake *f, const char *call)
 {
-    f->n->call = call;
-    f->n->call_since = clock_stop(&f->n->lp);
+    f->n->call.name = call;
+    f->n->call.since = clock_stop(&f->n->lp);
     deferred_begin(f->n);
 }
 
 static void leave(struct fake *f)
 {
-    f->n->call = NULL;
+    f->n->call.name = NULL;
     f->n->deferred.open = false;
     clock_begin_segment(&f->n->lp);
     clock_allow(&f->n->lp, VT_NEVER);
@@ -203,7 +203,7 @@ static struct books books_of(struct fake *f)
     b.now = clock_sync(&n->lp), b.units = n->lp.clock.units, b.system = n->times.system;
     memcpy(b.tasks, n->times.tasks, sizeof b.tasks);
     b.sent = n->stats.sent, b.sent_bytes = n->stats.sent_bytes;
-    b.buffered = n->buffered, b.taken = n->taken, b.used = n->buffered;
+    b.buffered = n->memory.buffered, b.taken = n->memory.taken, b.used = n->memory.buffered;
     for (int i = 0; i < 2; i++)
         b.unexpected[i] = unexpected_first(n, &(struct selector){i + 1, -1, -1});
     return b;
@@ -410,12 +410,12 @@ static void a_buffer_is_free_when_the_receive_is_committed(void **state)
     begin_with_unexpected(&f, 1);
     compute(&f, 100);
     receive(&f, 1);
-    assert_int_equal(f.n->buffered, BYTES);
-    assert_int_equal(f.n->taken, BYTES);
+    assert_int_equal(f.n->memory.buffered, BYTES);
+    assert_int_equal(f.n->memory.taken, BYTES);
     assert_int_equal(f.n->times.tasks[NODE_COPYING], BYTES * US / 10);
     deferred_commit_until(f.n, (struct instant){VT_SECOND, 0});
-    assert_int_equal(f.n->buffered, 0);
-    assert_int_equal(f.n->taken, 0);
+    assert_int_equal(f.n->memory.buffered, 0);
+    assert_int_equal(f.n->memory.taken, 0);
     end(&f);
 }
 
@@ -505,7 +505,7 @@ static void what_is_rolled_back_has_left_no_trace(void **state)
         compute(&f, 100);
         struct books before = books_of(&f);
         sends_and_receives(&f);
-        assert_int_equal(f.n->taken, BYTES);
+        assert_int_equal(f.n->memory.taken, BYTES);
         assert_true(clock_sync(&f.n->lp) > before.now);
         deferred_roll_back(f.n);
         assert_same_books(&f, before);

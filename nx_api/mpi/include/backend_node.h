@@ -25,15 +25,20 @@ struct mpi_end {
     uint64_t order; /* 1: the first end that this node heard of */
 };
 
+/* The call that the program is in. A handler makes calls of its own; afterwards this is again what it was. */
+struct mpi_call {
+    const char *name; /* NULL while the program computes */
+    long type;        /* the type, typesel or id the call is about, if has_type */
+    bool has_type;
+    uintptr_t caller; /* the address in the program behind the call; outside of calls that of the last one */
+};
+
 struct node {
     long id, pid;
     struct mpi_system *sys;
     struct node_info info;
     struct node_error error;
-    const char *call; /* NULL while the program computes */
-    long call_type;   /* the type, typesel or id the call is about, if call_has_type */
-    bool call_has_type;
-    uintptr_t caller; /* the address in the program behind the call; outside of calls that of the last one */
+    struct mpi_call call;
     int saved_errno;
     bool masked, in_handler;
     bool names_senders; /* a receive has selected a certain sender */

@@ -99,7 +99,7 @@ struct node_file *descriptor_file(struct node *n, int fd)
 
 const char *descriptor_path(const struct node *n, int fd)
 {
-    const struct open_files *d = n->libc ? n->libc->descriptors.open : NULL;
+    const struct open_files *d = n->guest.libc ? n->guest.libc->descriptors.open : NULL;
     const char *path = d && fd >= 0 && fd < NODE_DESCRIPTORS ? d->path[fd] : NULL;
     return path ? path : "?";
 }

@@ -24,12 +24,12 @@ struct gz {
 
 static voidpf take(voidpf n, uInt items, uInt size)
 {
-    return node_heap_alloc(((struct node *)n)->heap, (size_t)items * size);
+    return node_heap_alloc(((struct node *)n)->guest.heap, (size_t)items * size);
 }
 
 static void give_back(voidpf n, voidpf p)
 {
-    node_heap_release(((struct node *)n)->heap, p);
+    node_heap_release(((struct node *)n)->guest.heap, p);
 }
 
 /* Reads on if there are fewer bytes of input than needed; returns how many there are. */
@@ -69,7 +69,7 @@ gzFile node_gzopen(const char *path, const char *mode)
         return NULL;
     }
     FILE *file = stream_fopen(streams_of(n), n, path, "rb");
-    struct gz *g = file ? node_heap_alloc(n->heap, sizeof *g) : NULL;
+    struct gz *g = file ? node_heap_alloc(n->guest.heap, sizeof *g) : NULL;
     if (!g)
         goto fail;
     *g = (struct gz){.file = file, .z = {.zalloc = take, .zfree = give_back, .opaque = n}};
@@ -82,7 +82,7 @@ fail:
     if (file)
         stream_fclose(streams_of(n), file);
     if (g)
-        node_heap_release(n->heap, g);
+        node_heap_release(n->guest.heap, g);
     return NULL;
 }
 
@@ -179,6 +179,6 @@ int node_gzclose(gzFile file)
     bool cut = g->error == Z_BUF_ERROR;
     inflateEnd(&g->z);
     int r = stream_fclose(streams_of(n), g->file);
-    node_heap_release(n->heap, g);
+    node_heap_release(n->guest.heap, g);
     return r ? Z_ERRNO : cut ? Z_BUF_ERROR : Z_OK;
 }

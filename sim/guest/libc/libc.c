@@ -62,26 +62,26 @@ void *node_libc_data(struct node *n, const char *name)
 
 char **node_libc_envp(struct node *n)
 {
-    return node_image_uses_environ(n->file) ? *node_libc_environ(n) : n->cold->argv + n->cold->argc + 1;
+    return node_image_uses_environ(n->guest.file) ? *node_libc_environ(n) : n->cold->argv + n->cold->argc + 1;
 }
 
 void node_libc_flush(struct node *n)
 {
     assert(node_is_self(n));
-    if (n->libc)
-        streams_flush(&n->libc->streams);
+    if (n->guest.libc)
+        streams_flush(&n->guest.libc->streams);
 }
 
 void node_libc_rescue(struct node *n)
 {
     assert(!node_is_self(n));
-    streams_rescue(&n->libc->streams);
+    streams_rescue(&n->guest.libc->streams);
 }
 
 void node_libc_free(struct node *n)
 {
     assert(!node_is_self(n));
-    struct node_libc *c = n->libc;
+    struct node_libc *c = n->guest.libc;
     if (!c)
         return;
     streams_close(&c->streams);
@@ -93,7 +93,7 @@ void node_libc_free(struct node *n)
     node_libc_free_environment(c);
     own_memory_forget(&c->own);
     free(c);
-    n->libc = NULL;
+    n->guest.libc = NULL;
 }
 
 /* --- ending --- */
@@ -115,7 +115,7 @@ void node_libc_at_end(struct node *n, void (*f)(void))
  * itself. */
 static void run_atexit(struct node *n)
 {
-    struct node_libc *c = n->libc;
+    struct node_libc *c = n->guest.libc;
     while (c && c->atexit_count > 0) {
         node_leave(n);
         crossing_call(c->atexit[--c->atexit_count], 0, 0, 0, 0, 0);
@@ -128,7 +128,7 @@ void node_libc_end(struct node *n)
     const void *block;
     run_atexit(n);
     node_libc_flush(n);
-    size_t bytes = node_heap_check(n->heap, &block);
+    size_t bytes = node_heap_check(n->guest.heap, &block);
     if (block)
         node_fail(n, "its heap is damaged: something was written before or behind the %zu bytes at %p", bytes,
                   block);

@@ -24,7 +24,7 @@ enum { LEAST_ALIGN = 16 }; /* of what malloc gives */
 static void note_refusal(struct node *n, size_t bytes)
 {
     struct node_refusal *r = &n->cold->refusal;
-    *r = (struct node_refusal){.bytes = bytes, .used = node_memory_claimed(n), .heap = n->heap_used};
+    *r = (struct node_refusal){.bytes = bytes, .used = node_memory_claimed(n), .heap = n->memory.heap};
     if (n->sys->calls_from)
         r->depth = n->sys->calls_from(n, (uintptr_t)crossing_frame(), r->returns, REFUSAL_CALLS);
 }
@@ -52,14 +52,14 @@ static _Noreturn void refuse(struct node *n, const char *call, const void *p)
 void *node_malloc(size_t bytes)
 {
     struct node *n = node_self();
-    return answer(n, node_heap_alloc(n->heap, bytes), LEAST_ALIGN, bytes);
+    return answer(n, node_heap_alloc(n->guest.heap, bytes), LEAST_ALIGN, bytes);
 }
 
 void *node_aligned_alloc(size_t align, size_t bytes)
 {
     struct node *n = node_self();
     if (__builtin_popcountl(align) == 1)
-        return answer(n, node_heap_alloc_aligned(n->heap, align, bytes), align, bytes);
+        return answer(n, node_heap_alloc_aligned(n->guest.heap, align, bytes), align, bytes);
     errno = EINVAL;
     return NULL;
 }
@@ -91,7 +91,7 @@ void *node_calloc(size_t count, size_t size)
     size_t bytes;
     if (__builtin_mul_overflow(count, size, &bytes))
         return answer(n, NULL, LEAST_ALIGN, SIZE_MAX);
-    void *p = answer(n, node_heap_alloc(n->heap, bytes), LEAST_ALIGN, bytes);
+    void *p = answer(n, node_heap_alloc(n->guest.heap, bytes), LEAST_ALIGN, bytes);
     return p == NULL ? NULL : memset(p, 0, bytes);
 }
 
@@ -101,7 +101,7 @@ static void free_checked(struct node *n, void *p, const char *call)
 {
     void *counted = asan_counted(n, call, p, __builtin_frame_address(0));
     asan_take(n, p, __builtin_frame_address(0));
-    node_heap_release(n->heap, counted);
+    node_heap_release(n->guest.heap, counted);
 }
 
 /* Each block moves, so that an old pointer to it is noticed. */
@@ -109,7 +109,7 @@ static void *resize_checked(struct node *n, void *p, size_t bytes)
 {
     void *counted = asan_counted(n, "realloc", p, __builtin_frame_address(0));
     size_t before = asan_bytes(p);
-    void *q = answer(n, node_heap_resize(n->heap, counted, bytes), LEAST_ALIGN, bytes);
+    void *q = answer(n, node_heap_resize(n->guest.heap, counted, bytes), LEAST_ALIGN, bytes);
     if (q == NULL)
         return NULL;
     memcpy(q, p, before < bytes ? before : bytes);
@@ -127,19 +127,19 @@ void node_free(void *p)
             free_checked(n, p, "free");
         return;
     }
-    ANNOUNCE(n, freed, p, node_heap_bytes(n->heap, p));
-    if (p != NULL && node_heap_release(n->heap, p) != 0)
+    ANNOUNCE(n, freed, p, node_heap_bytes(n->guest.heap, p));
+    if (p != NULL && node_heap_release(n->guest.heap, p) != 0)
         refuse(n, "free", p);
 }
 
 /* Size 0 frees the block, as in glibc. */
 static void *resize(struct node *n, void *p, size_t bytes)
 {
-    if (!node_heap_owns(n->heap, p))
+    if (!node_heap_owns(n->guest.heap, p))
         refuse(n, "realloc", p);
     if (bytes > 0)
-        return answer(n, node_heap_resize(n->heap, p, bytes), LEAST_ALIGN, bytes);
-    node_heap_release(n->heap, p);
+        return answer(n, node_heap_resize(n->guest.heap, p, bytes), LEAST_ALIGN, bytes);
+    node_heap_release(n->guest.heap, p);
     return NULL;
 }
 
@@ -147,7 +147,7 @@ void *node_realloc(void *p, size_t bytes)
 {
     struct node *n = node_self();
     if (p == NULL)
-        return answer(n, node_heap_alloc(n->heap, bytes), LEAST_ALIGN, bytes);
+        return answer(n, node_heap_alloc(n->guest.heap, bytes), LEAST_ALIGN, bytes);
     if (!n->asan)
         return resize(n, p, bytes);
     if (bytes > 0)
@@ -176,7 +176,7 @@ char *node_strdup(const char *s)
 struct mallinfo node_mallinfo(void);
 struct mallinfo node_mallinfo(void)
 {
-    const struct node_heap *h = node_self()->heap;
+    const struct node_heap *h = node_self()->guest.heap;
     size_t free_blocks, all = node_heap_used(h), used = node_heap_in_use(h, &free_blocks);
     return (struct mallinfo){
         .arena = (int)all, .ordblks = (int)free_blocks, .uordblks = (int)used, .fordblks = (int)(all - used)};

@@ -5,7 +5,7 @@
 
 struct node_libc *libc_of(struct node *n)
 {
-    if (!n->libc)
-        n->libc = xcalloc(1, sizeof *n->libc);
-    return n->libc;
+    if (!n->guest.libc)
+        n->guest.libc = xcalloc(1, sizeof *n->guest.libc);
+    return n->guest.libc;
 }

@@ -37,7 +37,7 @@ size_t own_arguments_bytes(int argc, char *const *argv)
 void own_put_arguments(struct node *n, int argc, char *const *argv)
 {
     n->cold->argc = argc;
-    n->cold->argv = (char **)(n->stack + n->stack_bytes + sizeof(struct crossing_top));
+    n->cold->argv = (char **)(n->guest.stack + n->guest.stack_bytes + sizeof(struct crossing_top));
     char *text = (char *)(n->cold->argv + argc + LIST_ENDS);
     for (int i = 0; i < argc; i++) {
         n->cold->argv[i] = text;
@@ -58,7 +58,7 @@ void *own_memory_take(struct node *n, size_t bytes)
     struct own_memory *own = &libc_of(n)->own;
     if (!own->next) {
         span_guard_heap(n);
-        own->end = n->heap_start + n->region->heap_bytes;
+        own->end = n->guest.heap_start + n->guest.region->heap_bytes;
         own->next = own->end - own_memory_bytes(n);
     }
     bytes = round_up(bytes, ALIGN);

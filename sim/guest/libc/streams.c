@@ -188,7 +188,8 @@ static size_t collect(struct node *const *nodes, uint32_t count, struct stream *
 {
     size_t found = 0;
     for (uint32_t i = 0; i < count; i++)
-        for (struct stream *s = nodes[i] && nodes[i]->libc ? streams_of(nodes[i])->all : NULL; s; s = s->next)
+        for (struct stream *s = nodes[i] && nodes[i]->guest.libc ? streams_of(nodes[i])->all : NULL; s;
+             s = s->next)
             if (found++, to)
                 to[found - 1] = s;
     return found;
