@@ -113,8 +113,8 @@ static void add_headers(struct arguments *a, const struct places *p, bool fortra
     add(a, p->include);
     add(a, "-isystem");
     add(a, "/usr/include/tirpc"); /* <rpc/rpc.h>, for XDR */
-    if (a->mpi_program) {
-        add(a, "-isystem");
+    if (!a->mpi) { /* last of all without -lmpi, which a makefile of 1995 gives to the linker only */
+        add(a, a->mpi_program ? "-isystem" : "-idirafter");
         add(a, p->mpi_include);
         if (fortran)
             add(a, text("-I%s", p->mpi_include));

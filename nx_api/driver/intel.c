@@ -147,7 +147,9 @@ _Noreturn void intel_links(const char *folder)
 {
     static const char *const names[] = {"icc", "if77", "ar860", "as860", NULL};
     make_links(folder, names);
+    make_link(folder, "nm860", which("nm"));
     make_link(folder, "size860", which("size"));
+    make_link(folder, "strip860", which("strip"));
     exit(0);
 }
 

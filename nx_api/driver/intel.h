@@ -13,7 +13,7 @@ bool intel_take(struct arguments *a, const char *option);
 void intel_note(const struct arguments *a);
 
 /* Makes the folder, if there is none, and in it links by the names of Intel's tools: icc, if77, ar860,
- * as860, size860. Does not return. */
+ * as860, nm860, size860, strip860. Does not return. */
 _Noreturn void intel_links(const char *folder);
 
 /* Is nxcc called by a name of MPI's compilers? Makes links by these names: mpicc, mpif77, mpif90, mpifort. */

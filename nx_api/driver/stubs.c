@@ -235,6 +235,16 @@ static bool any_of_mpi(const struct names *n)
     return false;
 }
 
+/* What may be wrong, and where the user finds what there is. */
+static const char *advice(const struct names *n, const struct arguments *user)
+{
+    if (!any_of_mpi(n))
+        return "is the spelling right? nx.h declares all calls";
+    if (!user->mpi && !user->mpi_program)
+        return "-lmpi links MPI's library";
+    return "is the spelling right? doc/mpi-programs.md says which calls of MPI there are";
+}
+
 int stubs_link(const char **gcc, const struct arguments *user, const char *program)
 {
     int status;
@@ -253,11 +263,9 @@ int stubs_link(const char **gcc, const struct arguments *user, const char *progr
         fprintf(stderr, "nxcc: %s do not have ", who);
         print_names(&n);
         fprintf(stderr,
-                ": is the spelling right? %s. If the program can do without %s, --stubs "
+                ": %s. If the program can do without %s, --stubs "
                 "links stand-ins, which fail with ENOSYS when they are called; the report names them\n",
-                any_of_mpi(&n) ? "doc/mpi-programs.md says which calls of MPI there are"
-                               : "nx.h declares all calls",
-                n.count > 1 ? "them" : "it");
+                advice(&n, user), n.count > 1 ? "them" : "it");
     }
     return status;
 }

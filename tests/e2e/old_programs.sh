@@ -27,6 +27,25 @@ for program in heat chain server threads layer; do
 done
 rm -rf build old tests
 
+# --- MPI in 1995: its headers are compiled with no word of it, -lmpi is told to the linker, and the program is stripped ---
+"$BUILD/nxcc" --as-intel bin >links
+printf '%s\n' '#include <mpi.h>' '#include <stdio.h>' 'int main(int argc, char **argv)' '{' '    int rank;' \
+    '    MPI_Init(&argc, &argv);' '    MPI_Comm_rank(MPI_COMM_WORLD, &rank);' '    printf("rank %d\n", rank);' \
+    '    MPI_Finalize();' '    return 0;' '}' >ranks.c
+check "mpi.h is found without -lmpi" bin/icc -I/usr/local/mpi/include -c ranks.c
+check "and linked with it" bin/icc -o ranks -L/usr/local/mpi/lib/intelnx/ch_nx ranks.o -lmpi
+check "strip860 strips" bin/strip860 ranks
+ran() { [ "$(sort out | xargs)" = "rank 0 rank 1" ]; }
+run -q -m ipsc860 -n 2 ranks
+check "what was stripped runs" ran
+bin/icc -o ranks ranks.o 2>err
+check "without -lmpi the linker's message names it" said "nodes do not have .*MPI_Init.*: -lmpi links MPI's library"
+mkdir own && echo '#error own' >own/mpi.h
+bin/icc -Iown -c ranks.c 2>err
+check "a program's own mpi.h comes first" said '#error own'
+printf '%s\n' "      include 'mpif.h'" '      call MPI_INIT(ierr)' '      call MPI_FINALIZE(ierr)' '      end' >ranks.f
+check "mpif.h is found, too" bin/if77 -c ranks.f
+
 # --- the example ---
 example "$page" pi.c 2
 
