@@ -9,7 +9,7 @@ short(n, d) = 65 + 0.425 * n + 10.0 * d
 long(n, d) = 147 + 0.390 * n + 30.5 * d
 
 set output 'echo.svg'
-set title 'Echo test, iPSC/860: points ours, lines Bokhari'
+set title 'Echo test, iPSC/860: points simulated, lines Bokhari'
 set xlabel 'bytes'
 set ylabel 'microseconds, one way'
 set logscale xy

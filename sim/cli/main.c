@@ -95,6 +95,16 @@ static void list_commands(struct argp_option lines[MOST_LINES])
     *line++ = (struct argp_option){.name = "machines", .key = MACHINES, .flags = OPTION_HIDDEN};
 }
 
+/* "help run" is "run --help". */
+static void help_behind_command(int argc, char **argv)
+{
+    if (argc < 3 || strcmp(argv[1], "help") != 0)
+        return;
+    for (int i = 1; i < argc - 1; i++)
+        argv[i] = argv[i + 1];
+    argv[argc - 1] = "--help";
+}
+
 int main(int argc, char **argv)
 {
     signal(SIGXFSZ, SIG_IGN); /* then writing a file that may not grow fails, and is reported as an error */
@@ -114,7 +124,7 @@ int main(int argc, char **argv)
         "Runs programs written for Intel's NX message-passing library on simulated iPSC/860, Touchstone "
         "Delta and Paragon nodes, in exact virtual time. Programs are built with nxcc: nxcc -O2 -o prog "
         "prog.c\v"
-        "touchstone COMMAND --help describes a command.\n\n"
+        "touchstone COMMAND --help, or touchstone help COMMAND, describes a command.\n\n"
         "Machine files are in machines/ of the installation, or of $TOUCHSTONE_HOME. On a terminal, messages "
         "are coloured, unless $NO_COLOR is set or $TERM is dumb; $CLICOLOR_FORCE has them coloured "
         "everywhere.\n\n"
@@ -125,6 +135,7 @@ int main(int argc, char **argv)
         NULL,
         NULL};
     struct request r = {0};
+    help_behind_command(argc, argv);
     list_commands(lines);
     cli_parse(&argp, "touchstone", ARGP_IN_ORDER, argc, argv, &r);
     return r.run ? r.run(argc - r.at, argv + r.at) : cli_hand_to_lab(argv + r.at - 1);

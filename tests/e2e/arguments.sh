@@ -21,6 +21,7 @@ for c in $commands "trace info" "trace show" "trace export" "trace why"; do
     check "$c -h is --help" cmp out <("$BUILD/touchstone" $c -h)
     check "$c --help: an example" grep -qE '^Examples?:' out
     check "$c --help: exit statuses" grep -q '^Exit status:' out
+    check "help $c, too" cmp out <("$BUILD/touchstone" help $c)
     "$BUILD/touchstone" $c --no-such-option >out 2>err
     status=$?
     check "$c: an unknown option" said "unrecognized option '--no-such-option'"
@@ -41,6 +42,7 @@ wrong "an unknown option" 64 "unrecognized option '--colour'" run --colour ring
 wrong "the nearest option" 64 "unrecognized option '--verbsoe'; did you mean '--verbose'" run --verbsoe ring
 wrong "an option by a word of its help" 64 "unrecognized option '--threads'; see .*--workers" run --threads 4 ring
 wrong "the nearest command" 64 "no command 'redner'; did you mean 'render'" redner
+wrong "the nearest command, asked for help" 64 "no command 'redner'; did you mean 'render'" help redner
 wrong "the nearest command of trace" 64 "no command 'trace shwo'; did you mean 'trace show'" trace shwo
 "$BUILD/nxcc" --race -o misspelt "$tests/ring.c" 2>err
 check "nxcc: the nearest option of its own" said '^nxcc: --race: there is no such option; did you mean --races'

@@ -6,6 +6,9 @@
 status=$?
 check "it ends well" ended_with 0
 check "every row stands beside the paper's" test "$(grep -cE '^ +[0-9]+ +[0-9.]+ +[0-9.]+ +[-+][0-9.]+ %' out)" = 8
+# Of a line: where its words end; the sign and the unit of an error belong to its word.
+ends() { sed 's/ %/_%/' | awk '{ while (match(substr($0, at + 1), /[^ ]+/)) { at += RSTART + RLENGTH - 1; printf "%d ", at } }'; }
+check "each column ends where its head ends" test "$(grep '^ *nodes .*simulated' out | ends)" = "$(grep -m 1 '^ *2 ' out | ends)"
 check "the mean error is given" grep -qE 'mean error [0-9.]+ %, worst' out
 for f in tables.json table-1.png table-1.svg; do check "$f is there" test -s first/$f; done
 
@@ -33,4 +36,6 @@ drawn() { sed -n '/^\$data/,/^END/p' plot | awk 'NF == 9 { printf "%d %+.1f\n", 
 check "each row's residual is drawn" bash -c '[ "$1" = "$2" ] && [ $(wc -l <<<"$1") = 8 ]' - "$(drawn)" "$(printed)"
 check "the speed-up's residual is that of T(1) / T(N)" awk '$1 == "$data" { on = 1; next } $1 == "END" { on = 0 }
     on && ($7 - 100 * ($4 / $5 - 1)) ^ 2 > 1e-10 { bad = 1 } on { n++ } END { exit bad || n != 8 }' plot
+check "text and picture have one word for what was simulated" \
+    bash -c 'grep -q "^ *nodes *simulated *paper" out && grep -q "title .simulated.*title .paper" plot'
 check "in a panel with a line at 0" test "$(grep -c '^plot 0 with lines .*using 1:6' plot)" = 2

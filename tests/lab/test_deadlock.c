@@ -141,6 +141,38 @@ static void test_many_states(void **state)
     waitfor_free(w);
 }
 
+static void legend_says(const struct waitfor *w, const char *expected)
+{
+    struct deadlock_graph *g = deadlock_graph_make(w);
+    char *legend = deadlock_draw_legend(g);
+    assert_string_equal(legend, expected);
+    free(legend);
+    deadlock_graph_free(g);
+}
+
+/* The legend explains what the picture has, and nothing that it has not. */
+static void test_legend(void **state)
+{
+    (void)state;
+    struct waitfor *w = ring(4);
+    legend_says(w, "An arrow leads to the node that could end the wait. Thick: the cycle.");
+    waitfor_free(w);
+    w = ring(40);
+    legend_says(
+        w,
+        "An arrow leads to the node that could end the wait. Thick: the cycle. Double box: several nodes.");
+    waitfor_free(w);
+    w = waitfor_new(4);
+    for (uint32_t i = 0; i < 3; i++)
+        wait_for(w, i, 7, WAITFOR_ANY);
+    w->nodes[3].state = WAITFOR_ENDED;
+    waitfor_analyse(w);
+    legend_says(
+        w, "An arrow leads to the node that could end the wait. Dashed: any one of these would do. Grey box: "
+           "does not wait.");
+    waitfor_free(w);
+}
+
 /* What is read again says what has been written. */
 static void test_read(void **state)
 {
@@ -176,7 +208,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_small_cycle), cmocka_unit_test(test_long_cycle),  cmocka_unit_test(test_groups),
-        cmocka_unit_test(test_any),         cmocka_unit_test(test_many_states), cmocka_unit_test(test_read),
+        cmocka_unit_test(test_any),         cmocka_unit_test(test_many_states), cmocka_unit_test(test_legend),
+        cmocka_unit_test(test_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

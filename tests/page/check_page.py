@@ -45,6 +45,8 @@ def check_tables(b):
              if int(s[0].rstrip("\u2009†")) != r["nodes"] or abs(float(s[1]) - r["total_s"]) > 1e-4 * r["total_s"]
              or float(s[2]) != r["paper_total_s"] or abs(float(s[3].replace("\u2212", "-")) - r["error_pct"]) > 0.006]
     rule("tables: times, the paper's and errors are right", not wrong, wrong)
+    heads = b.run("return [...document.querySelectorAll('main thead tr:last-child th')].map(c => c.textContent)")
+    rule("tables: one word for what was simulated, as in text and picture", "simulated" in heads and "computed" not in heads, heads)
     tones = b.run("return [...document.querySelectorAll('td.error')].map(c => getComputedStyle(c).backgroundColor)")
     slow = [t for t, r in zip(tones, rows) if r["error_pct"] > 0.1]
     fast = [t for t, r in zip(tones, rows) if r["error_pct"] < -0.1]
@@ -202,7 +204,13 @@ def check_orders(b, s, canvas):
     rule("timeline: colours by call", "crecv" in legend() and "csend" in legend(), legend())
     choose("colour by", "function")
     rule("timeline: colours by function", "main" in legend(), legend())
+    ActionChains(b.driver).key_down(Keys.SHIFT).move_to_element(canvas).click_and_hold().move_by_offset(200, 0) \
+        .release().key_up(Keys.SHIFT).perform()
+    told = s.find_element(By.CSS_SELECTOR, ".readout").text
+    rule("timeline: the sums of an interval are those of the colours", "of 8 nodes: no function" in told and ", main " in told, told)
     choose("colour by", "activity")
+    told = s.find_element(By.CSS_SELECTOR, ".readout").text
+    rule("timeline: also when these change", "of 8 nodes: computing" in told, told)
     rule("timeline: and by activity again", legend() == activities == ["computing", "handler computing", "system (message)",
                                                                        "system (call)", "waiting", "ended"], legend())
     places = b.run("""const t = arguments[0].timeline, {trace, painter, view} = t;

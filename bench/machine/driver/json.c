@@ -7,7 +7,7 @@ static json_t *figure_json(const struct figure *f)
     json_t *o = json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s}", "run", f->run->name, "figure", f->name,
                           "text", f->text, "unit", f->unit, "standing", f->standing, "source", f->source,
                           "verdict", verdict_name(f->verdict));
-    json_object_set_new(o, "ours", json_real(f->ours));
+    json_object_set_new(o, "simulated", json_real(f->simulated));
     json_object_set_new(o, "fitted", json_boolean(f->fitted));
     if (!f->open) {
         json_object_set_new(o, "low", json_real(f->low));

@@ -11,17 +11,19 @@ const char *verdict_name(enum verdict v)
 
 static void judge_figure(struct figure *f)
 {
-    f->ours = NAN;
+    f->simulated = NAN;
     for (size_t i = 0; i < f->run->found_count; i++)
         if (strcmp(f->run->found[i].name, f->name) == 0)
-            f->ours = f->run->found[i].value;
+            f->simulated = f->run->found[i].value;
     if (f->open) {
-        f->verdict = isnan(f->ours) ? OUTSIDE : OPEN;
+        f->verdict = isnan(f->simulated) ? OUTSIDE : OPEN;
         return;
     }
-    double nearest = f->ours < f->low ? f->low : f->ours > f->high ? f->high : f->ours;
-    f->error = nearest == 0 ? 0 : (f->ours - nearest) / nearest;
-    f->verdict = fabs(f->error) <= f->within ? WITHIN : f->miss && !isnan(f->ours) ? KNOWN_MISS : OUTSIDE;
+    double nearest = f->simulated < f->low ? f->low : f->simulated > f->high ? f->high : f->simulated;
+    f->error = nearest == 0 ? 0 : (f->simulated - nearest) / nearest;
+    f->verdict = fabs(f->error) <= f->within       ? WITHIN
+                 : f->miss && !isnan(f->simulated) ? KNOWN_MISS
+                                                   : OUTSIDE;
 }
 
 static double formula(const struct curve *c, const struct point *p)

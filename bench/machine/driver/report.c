@@ -53,8 +53,8 @@ static void print_errors(const struct plan *p, FILE *f)
 void report_terminal(const struct plan *p, FILE *f)
 {
     char a[64], b[32];
-    fprintf(f, "%-19s %-62s %14s %10s %-7s %8s  %-8s %s\n", "run", "", "published", "ours", "", "error", "",
-            "");
+    fprintf(f, "%-19s %-62s %14s %10s %-7s %8s  %-8s %s\n", "run", "", "published", "simulated", "", "error",
+            "", "");
     for (size_t i = 0; i < p->curve_count; i++) {
         const struct curve *c = &p->curves[i];
         fprintf(f, "%-19s %-62.62s %14s %4zu points %-2s %+6.1f %%  %-8s %s\n", c->run->name, c->text,
@@ -63,7 +63,7 @@ void report_terminal(const struct plan *p, FILE *f)
     for (size_t i = 0; i < p->figure_count; i++) {
         const struct figure *g = &p->figures[i];
         fprintf(f, "%-19s %-62.62s %14s %10.5g %-7s %8s  %-8s %s\n", g->run->name, g->text, published(g, a),
-                g->ours, g->unit, error_of(g, b), verdict_name(g->verdict), g->standing);
+                g->simulated, g->unit, error_of(g, b), verdict_name(g->verdict), g->standing);
     }
     print_errors(p, f);
 }
@@ -71,13 +71,13 @@ void report_terminal(const struct plan *p, FILE *f)
 static void page_figures(const struct plan *p, FILE *f)
 {
     char a[64], b[32];
-    fputs("\n| run | figure | published | ours | error | | standing | source |\n"
+    fputs("\n| run | figure | published | simulated | error | | standing | source |\n"
           "|---|---|---|---|---|---|---|---|\n",
           f);
     for (size_t i = 0; i < p->figure_count; i++) {
         const struct figure *g = &p->figures[i];
         fprintf(f, "| %s | %s | %s | %.5g %s | %s | %s | %s | %s%s%s |\n", g->run->name, g->text,
-                published(g, a), g->ours, g->unit, error_of(g, b), verdict_name(g->verdict), g->standing,
+                published(g, a), g->simulated, g->unit, error_of(g, b), verdict_name(g->verdict), g->standing,
                 g->source, g->verdict == KNOWN_MISS ? " Why: " : "", g->verdict == KNOWN_MISS ? g->miss : "");
     }
 }
@@ -134,14 +134,15 @@ static void page_listing(const struct listing *l, FILE *f)
 
 void report_page(const struct plan *p, FILE *f)
 {
-    fputs("# Microbenchmarks: published figures and ours\n\nWritten by `make validate`; do not edit. The "
-          "programs are the `.c` files beside this page, the published figures\nand what is run "
-          "`published.cfg`; pictures go to `out/validate/`. An error is counted from the nearer end of a\n"
-          "range. *within*: no more than 5 % off, or as the row says; *misses*: outside, with the reason; "
-          "*open*: no\npublished figure was found, and ours stands alone. Standing of a published figure: "
-          "*read* from a copy of the\nsource; *known*: widely quoted from the source, whose table was not "
-          "at hand; *derived*: arithmetic on those.\n\n## Formulas\n",
-          f);
+    fputs(
+        "# Microbenchmarks: published figures and simulated ones\n\nWritten by `make validate`; do not edit. "
+        "The programs are the `.c` files beside this page, the published figures\nand what is run "
+        "`published.cfg`; pictures go to `out/validate/`. An error is counted from the nearer end of a\n"
+        "range. *within*: no more than 5 % off, or as the row says; *misses*: outside, with the reason; "
+        "*open*: no\npublished figure was found, and the simulated one stands alone. Standing of a published "
+        "figure: *read* from a copy of the\nsource; *known*: widely quoted from the source, whose table was "
+        "not at hand; *derived*: arithmetic on those.\n\n## Formulas\n",
+        f);
     page_curves(p, f);
     fputs("\n## Figures\n", f);
     page_figures(p, f);

@@ -41,7 +41,7 @@ struct figure {
     const char *name, *text, *unit, *standing, *source, *miss;
     double low, high, within; /* within: the error allowed, a fraction */
     bool open, fitted;        /* fitted: a number of the machine was chosen by this figure */
-    double ours, error;
+    double simulated, error;
     enum verdict verdict;
 };
 

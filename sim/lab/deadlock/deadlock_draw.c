@@ -91,6 +91,11 @@ static char *awaited_of(const struct waitfor_node *n)
     }
 }
 
+static bool waits(const struct deadlock_box *b)
+{
+    return b->mixed || b->like->state == WAITFOR_WAITS;
+}
+
 /* Why, in a few words. malloc'd. */
 static char *cause_of(const struct deadlock_box *b)
 {
@@ -119,9 +124,8 @@ static bool is_reason(const struct deadlock_box *b)
 static void draw_box(const struct canvas *c, const struct deadlock_graph *g, const struct deadlock_box *b,
                      struct plot p)
 {
-    bool waits = b->mixed || b->like->state == WAITFOR_WAITS;
     char *title = title_of(g, b), *place = place_of(b), *cause = cause_of(b);
-    canvas_fill(c, p, COLOUR(waits ? 0xffffff : 0xdddddd));
+    canvas_fill(c, p, COLOUR(waits(b) ? 0xffffff : 0xdddddd));
     canvas_colour(c, b->in_cycle || is_reason(b) ? INK : GREY);
     cairo_set_line_width(c->cr, b->in_cycle ? 3.2 : is_reason(b) ? 2.2 : 1);
     cairo_rectangle(c->cr, p.x, p.y, p.w, p.h);
@@ -200,6 +204,24 @@ static void draw_head(const struct canvas *c, const struct waitfor *w)
     free(summary);
 }
 
+char *deadlock_draw_legend(const struct deadlock_graph *g)
+{
+    bool dashed = false, grey = false, several = false;
+    uint32_t arrows = 0;
+    for (uint32_t i = 0; i < g->edge_count; i++) {
+        arrows += is_drawn(g, &g->edges[i]);
+        dashed = dashed || (is_drawn(g, &g->edges[i]) && g->edges[i].kind == WAITFOR_ANY_NODE);
+    }
+    for (uint32_t i = 0; i < g->count; i++) {
+        grey = grey || !waits(&g->boxes[i]);
+        several = several || g->boxes[i].count > 1;
+    }
+    return xasprintf("%s%s%s%s%s", arrows ? "An arrow leads to the node that could end the wait." : "",
+                     g->cycle_count ? " Thick: the cycle." : "",
+                     dashed ? " Dashed: any one of these would do." : "",
+                     grey ? " Grey box: does not wait." : "", several ? " Double box: several nodes." : "");
+}
+
 static void draw(void *ctx, const struct canvas *c)
 {
     const struct picture *p = ctx;
@@ -209,10 +231,9 @@ static void draw(void *ctx, const struct canvas *c)
     draw_labels(c, p);
     for (uint32_t k = 0; k < g->count; k++)
         draw_box(c, g, &g->boxes[k], p->layout.places[k]);
-    canvas_text(
-        c, 24, c->height - 16, (struct text_style){10.5, GREY, ANCHOR_LEFT, false},
-        "An arrow leads to the node that could end the wait. Thick: the cycle. Dashed: any one of these "
-        "would do. Grey box: does not wait. Double box: several nodes.");
+    char *legend = deadlock_draw_legend(g);
+    canvas_text(c, 24, c->height - 16, (struct text_style){10.5, GREY, ANCHOR_LEFT, false}, legend);
+    free(legend);
 }
 
 static struct picture picture_of(const struct waitfor *w)

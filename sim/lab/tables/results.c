@@ -117,11 +117,6 @@ struct result_errors results_scaled_errors(const struct results *r)
     return finish(e);
 }
 
-int results_decimals(double total_s)
-{
-    return total_s < 10 ? 3 : total_s < 100 ? 2 : 1;
-}
-
 double results_rounding_pct(const struct result_row *row)
 {
     return 100 * row->row->paper.total_unit_s / 2 / row->row->paper.total_s;

@@ -40,7 +40,7 @@ void results_free(struct results *r);
 double results_error_pct(const struct result_row *row);
 /* The table's row of one node; NULL if there is none. */
 const struct result_row *results_one_node(const struct result_table *t);
-/* T(1) / (N T(N)) of the computed times; NAN if either is missing. */
+/* T(1) / (N T(N)) of the simulated times; NAN if either is missing. */
 double results_speed_per_node(const struct result_table *t, size_t row);
 
 /* Mean and worst of rows' errors. Failed rows only count as failed. */
@@ -66,9 +66,6 @@ double results_rounding_pct(const struct result_row *row);
 /* By how much the total time that the paper's speed implies differs from the paper's total time, percent; NAN
  * if there is none. */
 double results_contradiction_pct(const struct result_table *t, size_t row);
-
-/* The decimals that show a time with four significant figures. */
-int results_decimals(double total_s);
 
 /* The tables as text for people: those whose runs, and those of the tables before, have ended; then, at the
  * end, what has not been printed and what is true of all. */

@@ -1,4 +1,4 @@
-/* results_plot.c - a table as a picture: computed and published total time and speed-up against nodes, and
+/* results_plot.c - a table as a picture: simulated and published total time and speed-up against nodes, and
  * below them the residuals; see results.h.
  *
  *     total time | speed-up | legend
@@ -10,7 +10,7 @@
 
 #include <math.h>
 
-#define OURS CHART_WIDTH " lc rgb '#0072b2'"
+#define SIMULATED CHART_WIDTH " lc rgb '#0072b2'"
 #define PAPER CHART_WIDTH " lc rgb '#d55e00'"
 
 enum {
@@ -26,7 +26,7 @@ enum {
     RIGHT = MIDDLE + PANEL + 12
 };
 
-static double ours_of(const struct result_row *r)
+static double simulated_of(const struct result_row *r)
 {
     return outcome_figure(&r->run->outcome, "total_s");
 }
@@ -40,8 +40,8 @@ static double speedup_residual(const struct result_row *r, const struct result_r
 /* Writes a gnuplot data block with the columns
  *
  *     1      nodes
- *     2, 3   computed time, paper's time
- *     4, 5   computed speed-up, paper's speed-up
+ *     2, 3   simulated time, paper's time
+ *     4, 5   simulated speed-up, paper's speed-up
  *     6, 7   residual of the time and of the speed-up, percent
  *     8      half a unit of the paper's last digit, percent
  *     9      pointtype of the residual: hollow for a row to which something was fitted
@@ -54,8 +54,8 @@ static void write_data(const struct result_table *t, FILE *script)
     for (size_t i = 0; i < t->table->count; i++) {
         const struct result_row *r = &t->rows[i];
         double rounding = results_rounding_pct(r);
-        fprintf(script, "%u %.9g %.9g %.9g %.9g %.9g %.9g %.9g %d\n", r->row->nodes, ours_of(r),
-                r->row->paper.total_s, one ? ours_of(one) / ours_of(r) : NAN,
+        fprintf(script, "%u %.9g %.9g %.9g %.9g %.9g %.9g %.9g %d\n", r->row->nodes, simulated_of(r),
+                r->row->paper.total_s, one ? simulated_of(one) / simulated_of(r) : NAN,
                 one ? one->row->paper.total_s / r->row->paper.total_s : NAN, results_error_pct(r),
                 speedup_residual(r, one), isnan(rounding) ? 0 : rounding, r->run->fitted ? 6 : 7);
     }
@@ -73,8 +73,8 @@ static struct scales scales_of(const struct result_table *t)
     const struct result_row *one = results_one_node(t);
     for (size_t i = 0; i < t->table->count; i++) {
         const struct result_row *r = &t->rows[i];
-        least = fmin(least, fmin(ours_of(r), r->row->paper.total_s));
-        greatest = fmax(greatest, fmax(ours_of(r), r->row->paper.total_s));
+        least = fmin(least, fmin(simulated_of(r), r->row->paper.total_s));
+        greatest = fmax(greatest, fmax(simulated_of(r), r->row->paper.total_s));
         residual = fmax(residual, fmax(fabs(results_error_pct(r)), results_rounding_pct(r)));
         residual = fmax(residual, fabs(speedup_residual(r, one)));
         most = fmax(most, r->row->nodes);
@@ -112,8 +112,8 @@ static void write_nodes(const struct result_table *t, const struct scale *s, FIL
     fputs(")\n", script);
 }
 
-/* The computed and the paper's figure in columns ours and paper. */
-static void write_upper(unsigned left, const char *label, const struct scale *y, unsigned ours,
+/* The simulated and the paper's figure in these columns. */
+static void write_upper(unsigned left, const char *label, const struct scale *y, unsigned simulated,
                         unsigned paper, FILE *script)
 {
     write_box(left, TOP, PANEL, UPPER, script);
@@ -121,12 +121,12 @@ static void write_upper(unsigned left, const char *label, const struct scale *y,
     fputs("unset xlabel\n", script);
     scale_write(y, 'y', script);
     fputs("plot ", script);
-    if (ours == 4)
+    if (simulated == 4)
         fputs("x " CHART_IDEAL ", ", script);
     fprintf(script,
-            "$data using 1:%u with lines " OURS ", $data using 1:%u with points pt 4 ps 1.7 " PAPER
-            ", $data using 1:%u with points pt 7 ps 0.9 " OURS "\n",
-            ours, paper, ours);
+            "$data using 1:%u with lines " SIMULATED ", $data using 1:%u with points pt 4 ps 1.7 " PAPER
+            ", $data using 1:%u with points pt 7 ps 0.9 " SIMULATED "\n",
+            simulated, paper, simulated);
 }
 
 /* The residuals in a column, with the paper's rounding as error bars, and a line at zero. */
@@ -140,8 +140,8 @@ static void write_lower(unsigned left, const struct scale *y, unsigned column, F
     if (column == 6)
         fputs("$data using 1:(-$8):(0):(2*$8) with vectors heads size screen 0.004,90 " PAPER ", ", script);
     fprintf(script,
-            "$data using 1:%u with impulses " OURS ", $data using 1:%u:(1):9 with points ps variable pt "
-            "variable " OURS "\n",
+            "$data using 1:%u with impulses " SIMULATED ", $data using 1:%u:(1):9 with points ps variable pt "
+            "variable " SIMULATED "\n",
             column, column);
 }
 
@@ -154,10 +154,10 @@ static void write_legend(const struct result_table *t, FILE *script)
         "unset logscale\nset xrange [0:1]\nset yrange [0:1]\n"
         "set key at graph 0, graph 1 left top vertical Left reverse samplen 3 spacing 1.25 title 'Table %u' "
         "left\n"
-        "plot NaN with linespoints pt 7 ps 0.9 " OURS " title 'touchstone', "
+        "plot NaN with linespoints pt 7 ps 0.9 " SIMULATED " title 'simulated', "
         "NaN with points pt 4 ps 1.7 " PAPER " title 'paper', NaN " CHART_IDEAL " title 'ideal'\n"
         "set key at graph 0, first %.3f left top vertical Left reverse samplen 3 title 'residual' left\n"
-        "plot NaN with points pt 7 ps 1 " OURS " title 'predicted', NaN with points pt 6 ps 1 " OURS
+        "plot NaN with points pt 7 ps 1 " SIMULATED " title 'predicted', NaN with points pt 6 ps 1 " SIMULATED
         " title 'fitted', NaN with lines " PAPER " title \"paper's rounding\"\n",
         t->table->number, 1 - (BELOW - TOP) / (double)(HEIGHT - TOP - 40));
 }
@@ -171,7 +171,7 @@ static void write_page(const struct result_table *t, const struct scales *s, boo
           "set grid xtics ytics back " CHART_GRID "\nset border 3\nset tics nomirror\n",
           script);
     fprintf(script,
-            "set label 1 'residual: touchstone against the paper, %% of the paper' at screen 0.5, "
+            "set label 1 'residual: simulated against the paper, %% of the paper' at screen 0.5, "
             "screen %.5f center font ',9' textcolor rgb '#505050'\n",
             1 - 38.0 / HEIGHT);
     write_nodes(t, &s->nodes, script);

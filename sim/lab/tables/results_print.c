@@ -1,4 +1,4 @@
-/* results_print.c - the tables as text for people, computed figures beside the paper's; see results.h. */
+/* results_print.c - the tables as text for people, simulated figures beside the paper's; see results.h. */
 #include "lab/tables/results.h"
 
 #include <math.h>
@@ -15,10 +15,10 @@ static void figure(FILE *out, int width, int decimals, double value)
         fprintf(out, "%*.*f", width, decimals, value);
 }
 
-static void pair(FILE *out, int decimals, double ours, double papers)
+static void pair(FILE *out, int decimals, double simulated, double papers)
 {
-    figure(out, 9, decimals, ours);
-    figure(out, 7, decimals, papers);
+    figure(out, 11, decimals, simulated);
+    figure(out, 6, decimals, papers);
 }
 
 static void print_row(FILE *out, const struct ink *ink, const struct result_table *t, size_t i)
@@ -27,23 +27,21 @@ static void print_row(FILE *out, const struct ink *ink, const struct result_tabl
     const struct paper_figures *paper = &row->row->paper;
     const struct outcome *o = &row->run->outcome;
     double error = results_error_pct(row);
-    int decimals = results_decimals(paper->total_s);
     fprintf(out, "%6u", row->row->nodes);
     if (o->error) {
-        fprintf(out, "%10s%9.*f  %sfailed%s\n", "-", decimals, paper->total_s, ink->red, ink->off);
+        fprintf(out, "%11s%9g  %sfailed%s\n", "-", paper->total_s, ink->red, ink->off);
         return;
     }
-    figure(out, 10, decimals, outcome_figure(o, "total_s"));
-    figure(out, 9, decimals, paper->total_s);
-    fprintf(out, "  %s%+6.1f %%%s", fabs(error) < 5 ? ink->green : ink->red, error, ink->off);
+    figure(out, 11, 3, outcome_figure(o, "total_s"));
+    fprintf(out, "%9g  %s%+6.1f %%%s", paper->total_s, fabs(error) < 5 ? ink->green : ink->red, error,
+            ink->off);
     pair(out, 1, outcome_figure(o, "host_idle_pct"), paper->host_idle_pct);
-    figure(out, 9, 1, outcome_figure(o, "host_idle_all_pct"));
+    figure(out, 7, 1, outcome_figure(o, "host_idle_all_pct"));
     pair(out, 1, outcome_figure(o, "slave_idle_pct"), paper->slave_idle_pct);
     pair(out, 1, outcome_figure(o, "slave_idle_spread_pct"), paper->slave_idle_spread_pct);
     pair(out, 3, results_speed_per_node(t, i), paper->speed_per_node);
     if (row->run->tie_runs)
-        fprintf(out, "  %.*f to %.*f s", decimals + 1, row->run->tie_least_s, decimals + 1,
-                row->run->tie_most_s);
+        fprintf(out, "  %.4f to %.4f s", row->run->tie_least_s, row->run->tie_most_s);
     fputc('\n', out);
 }
 
@@ -63,12 +61,12 @@ static void print_errors(FILE *out, const struct result_errors *e, bool name_tab
 static void print_table(FILE *out, const struct ink *ink, const struct result_table *t)
 {
     fprintf(out, "\n%sTable %u: %s%s\n", ink->bold, t->table->number, t->table->title, ink->off);
-    fprintf(out, "%6s%19s%10s%16s%9s%16s%16s%16s\n", "", "total time, s", "", "host idle, %", "",
+    fprintf(out, "%6s%20s%10s%17s%7s%17s%17s%17s\n", "", "total time, s", "", "host idle, %", "",
             "slave idle, %", "idle spread, %", "speed/node");
-    fprintf(out, "%6s%10s%9s%10s", "nodes", "ours", "paper", "error");
-    fprintf(out, "%9s%7s%9s", "ours", "paper", "all");
+    fprintf(out, "%6s%11s%9s%10s", "nodes", "simulated", "paper", "error");
+    fprintf(out, "%11s%6s%7s", "simulated", "paper", "all");
     for (int i = 0; i < 3; i++)
-        fprintf(out, "%9s%7s", "ours", "paper");
+        fprintf(out, "%11s%6s", "simulated", "paper");
     fputc('\n', out);
     for (size_t i = 0; i < t->table->count; i++)
         print_row(out, ink, t, i);
@@ -122,8 +120,8 @@ void results_print(const struct results *r, FILE *out)
     struct ink ink = ink_for(out);
     for (size_t t = r->printed; t < r->table_count; t++)
         print_table(out, &ink, &r->tables[t]);
-    fputs("\nhost idle: \"ours\" has the waits for the last request of a layer, \"all\" has every wait for a "
-          "request.\n",
+    fputs("\nhost idle: \"simulated\" has the waits for the last request of a layer, \"all\" has every wait "
+          "for a request.\n",
           out);
     if (any_ties(r))
         fprintf(out, "range at a row's end: its times with a message's latency changed by -2 %% to +2 %%.\n");

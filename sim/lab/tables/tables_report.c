@@ -56,19 +56,10 @@ static void write_accuracy(const struct results *r, FILE *out)
 
 /* --- the tables ----------------------------------------------------------------------------------------- */
 
-static void seconds_cell(FILE *out, double s)
-{
-    if (isnan(s))
-        cell(out, "", NAN);
-    else
-        fprintf(out, " %.*f |", results_decimals(s), s);
-}
-
 static void range_cell(FILE *out, const struct run *run)
 {
-    int decimals = results_decimals(run->tie_least_s) + 1;
     if (run->tie_runs)
-        fprintf(out, " %.*f to %.*f |", decimals, run->tie_least_s, decimals, run->tie_most_s);
+        fprintf(out, " %.4f to %.4f |", run->tie_least_s, run->tie_most_s);
     else
         cell(out, "", NAN);
 }
@@ -79,7 +70,7 @@ static void table_row(FILE *out, const struct result_table *t, size_t i)
     const struct paper_figures *paper = &row->row->paper;
     const struct outcome *o = &row->run->outcome;
     fprintf(out, "| %u |", row->row->nodes);
-    seconds_cell(out, outcome_figure(o, "total_s"));
+    cell(out, "%.3f", outcome_figure(o, "total_s"));
     range_cell(out, row->run);
     cell(out, "%g", paper->total_s);
     cell(out, "%+.2f", results_error_pct(row));
@@ -99,14 +90,12 @@ static void table_row(FILE *out, const struct result_table *t, size_t i)
 
 static void write_table(FILE *out, const struct result_table *t)
 {
-    fprintf(
-        out,
-        "\n## Table %u: %s\n\n"
-        "| nodes | ours, s | range, s | paper, s | error, %% | rounding, %% | speed column, %% | standing "
-        "| host idle: last, %% | all, %% | drain, %% | paper, %% | slave idle, %% | paper, %% | spread, %% "
-        "| paper, %% "
-        "|\n|--:|--:|--:|--:|--:|--:|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|\n",
-        t->table->number, t->table->title);
+    fprintf(out,
+            "\n## Table %u: %s\n\n"
+            "| nodes | simulated, s | range, s | paper, s | error, %% | rounding, %% | speed column, %% "
+            "| standing | host idle: last, %% | all, %% | drain, %% | paper, %% | slave idle, %% | paper, %% "
+            "| spread, %% | paper, %% |\n|--:|--:|--:|--:|--:|--:|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|\n",
+            t->table->number, t->table->title);
     for (size_t i = 0; i < t->table->count; i++)
         table_row(out, t, i);
 }
@@ -228,7 +217,7 @@ static bool write_residuals(FILE *out, const struct tables_options *o, struct re
 
 static bool write_to(FILE *out, const struct tables_options *o, struct results *r, char **error)
 {
-    fputs("# Tables of Bajaj & Lin, ours beside the paper's\n\n"
+    fputs("# Tables of Bajaj & Lin, simulated beside the paper's\n\n"
           "Written by `make report` (`touchstone tables --ties --report FILE`) from one run of all rows; "
           "do not edit.\n\n## How exact\n\n",
           out);

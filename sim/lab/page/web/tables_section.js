@@ -17,7 +17,7 @@ function signed(value, decimals = 2) {
 
 function tablesSection(data, name) {
     const section = addSection('The paper\'s tables', 'Tables',
-        `Total times of Bajaj & Lin's program, computed and as printed in the paper (${
+        `Total times of Bajaj & Lin's program, simulated and as printed in the paper (${
             name}). An error is coloured by its size: `);
     section.querySelector('.about').append(errorKey());
     section.append(errorSummary(data.summary));
@@ -50,7 +50,7 @@ function errorSummary(s) {
     return facts(rows.filter(([, e]) => e && e.rows).map(([what, e]) => [`${what} (${e.rows})`, line(e)]));
 }
 
-/* Columns in pairs: ours, with so many decimals, and the paper's, whose times are as they were printed. */
+/* Columns in pairs: simulated, with so many decimals, and the paper's, whose times are as they were printed. */
 const PAPER_PAIRS = [
     ['Total time, s', 'total_s', 'paper_total_s', 3],
     ['Host idle, %', 'host_idle_pct', 'paper_host_idle_pct', 1],
@@ -78,7 +78,7 @@ function comparedTable(rows) {
         PAPER_PAIRS.map(
             ([title], i) => element('th', {class: 'over', scope: 'colgroup', colspan: i ? 2 : 3}, title)));
     const second = element('tr', {},
-        PAPER_PAIRS.map((pair, i) => [element('th', {scope: 'col', class: 'first'}, 'computed'),
+        PAPER_PAIRS.map((pair, i) => [element('th', {scope: 'col', class: 'first'}, 'simulated'),
                             element('th', {scope: 'col'}, 'paper'),
                             i ? null : element('th', {scope: 'col'}, 'error, %')]));
     return element(
@@ -87,12 +87,12 @@ function comparedTable(rows) {
 
 function comparedRow(row) {
     const tr = element('tr', {}, element('th', {scope: 'row'}, row.nodes + (row.fitted ? '\u2009†' : '')));
-    PAPER_PAIRS.forEach(([, ours, paper, decimals], i) => {
+    PAPER_PAIRS.forEach(([, simulated, paper, decimals], i) => {
         const show = v => rounded(v.toFixed(decimals), String(v));
-        for (const key of [ours, paper])
-            tr.append(element('td', {class: key === ours ? 'first' : null},
+        for (const key of [simulated, paper])
+            tr.append(element('td', {class: key === simulated ? 'first' : null},
                 typeof row[key] === 'number'  ? (key === 'paper_total_s' ? String(row[key]) : show(row[key]))
-                : row.failure && key === ours ? 'failed'
+                : row.failure && key === simulated ? 'failed'
                                               : ''));
         if (i === 0) {
             const has = typeof row.error_pct === 'number';
@@ -111,7 +111,7 @@ function residuals(table, rows) {
         x: r.nodes,
         y: r.error_pct,
         spread: r.paper_rounding_pct,
-        tip: `${plural(r.nodes, 'node')}: ${signed(r.error_pct)} %\ncomputed ${r.total_s} s, paper ${
+        tip: `${plural(r.nodes, 'node')}: ${signed(r.error_pct)} %\nsimulated ${r.total_s} s, paper ${
             r.paper_total_s} s\nthe paper's rounding: ±${figure(r.paper_rounding_pct, 2)} %`
     }));
     return lineChart({
@@ -145,7 +145,7 @@ function timesCurve(table, rows) {
         height: 190,
         ticksX: rows.map(r => r.nodes),
         series:
-            [series('computed', 'total_s'), {...series('paper', 'paper_total_s'), line: false, hollow: true}]
+            [series('simulated', 'total_s'), {...series('paper', 'paper_total_s'), line: false, hollow: true}]
     }).figure;
 }
 

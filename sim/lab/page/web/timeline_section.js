@@ -125,6 +125,8 @@ class Timeline {
         this.painter.readColours();
         this.fillLegend();
         this.draw();
+        if (this.span)
+            this.showSpan();
     }
     /* Orders the rows; what is selected stays so, wherever its row is now. */
     orderBy(order) {
@@ -342,19 +344,20 @@ class Timeline {
         this.span = null;
         this.draw();
     }
-    /* What all nodes did in it, by activity. */
+    /* What all nodes did in it, by what the pieces' colours tell. */
     showSpan() {
+        const {kinds, drawn} = this.trace;
         const [from, to] =
             [this.span.from, this.span.to].sort((a, b) => a - b).map(t => BigInt(Math.round(t)));
-        const all = PIECE_NAMES.map(() => 0n);
+        const all = kinds.map(() => 0n);
         for (const row of this.trace.rows)
-            this.sums(row, from, to).forEach((sum, k) => { all[k] += sum; });
+            this.sums(row, from, to, drawn, kinds.length).forEach((sum, k) => { all[k] += sum; });
         const whole = all.reduce((a, b) => a + b, 0n);
         this.readout.replaceChildren(
             element('p', {},
                 `From ${moment(from)} to ${moment(to)}, ${roughly(Number(to - from))}, of ${
                     plural(this.trace.rows.length, 'node')}: `,
-                all.map((sum, k) => `${PIECE_NAMES[k]} ${percent(sum, whole)}`).join(', '), '.'),
+                all.map((sum, k) => `${kinds[k].name} ${percent(sum, whole)}`).join(', '), '.'),
             button('Zoom in on it', () => {
                 this.setRange(Number(from), Number(to));
                 this.dropSpan();
@@ -499,7 +502,10 @@ class Timeline {
     }
     sharesTable() {
         const from = this.viewFrom(), to = this.viewTo();
-        const rows = this.trace.rows.map(row => ({name: row.name, sums: this.sums(row, from, to)}));
+        const rows = this.trace.rows.map(row => ({
+            name: row.name,
+            sums: this.sums(row, from, to, this.trace.activity, PIECE_NAMES.length)
+        }));
         return [
             element('p', {class: 'note'}, 'From ', timeFigure(from), ' to ', timeFigure(to), '.'),
             ...figureTable('Each node\'s time',
@@ -510,15 +516,15 @@ class Timeline {
                 rows, 1024)
         ];
     }
-    /* The node's exact time in each activity, within the interval. */
-    sums(row, from, to) {
-        const c = this.trace.columns, ends = c['piece.end'], sums = PIECE_NAMES.map(() => 0n);
+    /* The node's exact time within the interval, by the kinds of its pieces. */
+    sums(row, from, to, kindOf, kinds) {
+        const c = this.trace.columns, ends = c['piece.end'], sums = new Array(kinds).fill(0n);
         const first = this.trace.pieceAt(row, Number(from) - 1), most = (a, b) => (a > b ? a : b);
         for (let i = first, begin = this.trace.pieceFrom(row, first);
              i < row.first + row.pieces && begin < to; i++) {
             const end = ends.at(i), part = (end < to ? end : to) - most(begin, from);
             if (part > 0n)
-                sums[this.trace.activity[i]] += part;
+                sums[kindOf[i]] += part;
             begin = end;
         }
         return sums;
