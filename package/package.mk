@@ -6,11 +6,13 @@ STRIP     = strip
 
 # Who builds without `make setup` is told what is missing before minutes of compiling end at a header that is not there. MISSING= on the
 # command line builds with what is there, such as a library of the user's own.
+# An MPI of the user's own, which find-mpi finds, does for the group cluster.
 ifneq ($(filter all install unit,$(or $(MAKECMDGOALS),all)),)
-MISSING := $(shell GCC=$(GCC) package/setup --missing $(PACKAGES) run build)
+NEEDED  := run build$(if $(shell nx_api/mpi/find-mpi),, cluster)
+MISSING := $(shell GCC=$(GCC) package/setup --missing $(PACKAGES) $(NEEDED))
 ifneq ($(MISSING),)
 $(info These Debian packages are missing: $(MISSING))
-$(info As root, or with sudo: make setup GROUP="run build")
+$(info As root, or with sudo: make setup GROUP="$(NEEDED)")
 $(error packages are missing. To build with what is there: make MISSING=)
 endif
 endif

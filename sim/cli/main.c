@@ -124,7 +124,7 @@ int main(int argc, char **argv)
         "Runs programs written for Intel's NX message-passing library on simulated iPSC/860, Touchstone "
         "Delta and Paragon nodes, in exact virtual time. Programs are built with nxcc: nxcc -O2 -o prog "
         "prog.c\v"
-        "touchstone COMMAND --help, or touchstone help COMMAND, describes a command.\n\n"
+        "touchstone COMMAND --help describes a command, and so does touchstone help COMMAND.\n\n"
         "Machine files are in machines/ of the installation, or of $TOUCHSTONE_HOME. On a terminal, messages "
         "are coloured, unless $NO_COLOR is set or $TERM is dumb; $CLICOLOR_FORCE has them coloured "
         "everywhere.\n\n"

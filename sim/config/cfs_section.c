@@ -15,12 +15,22 @@ static bool read_ms(struct cfg_reader *r, config_setting_t *g, const char *key, 
     return true;
 }
 
+/* Each I/O node has a disk at least. */
+static bool read_disks(struct cfg_reader *r, config_setting_t *g, struct cfg_cfs *c)
+{
+    if (!cfg_whole(r, g, "io_nodes", 1, MOST_IO_NODES, &c->io_nodes) ||
+        !cfg_whole(r, g, "disks", 1, MOST_DISKS, &c->disks))
+        return false;
+    return c->disks >= c->io_nodes ||
+           cfg_fail(r, config_setting_get_member(g, "disks"), "disks",
+                    "%lu is too few for io_nodes = %lu: each I/O node has a disk at least", c->disks,
+                    c->io_nodes);
+}
+
 static bool read_sizes(struct cfg_reader *r, config_setting_t *g, struct cfg_cfs *c)
 {
     uint64_t block_kb;
-    if (!cfg_whole(r, g, "io_nodes", 1, MOST_IO_NODES, &c->io_nodes) ||
-        !cfg_whole(r, g, "disks", c->io_nodes, MOST_DISKS, &c->disks) ||
-        !cfg_whole(r, g, "block_kb", 1, KB, &block_kb) ||
+    if (!read_disks(r, g, c) || !cfg_whole(r, g, "block_kb", 1, KB, &block_kb) ||
         !cfg_whole(r, g, "window_blocks", 1, MOST_BLOCKS, &c->window_blocks) ||
         !cfg_whole(r, g, "cache_blocks", 1, MOST_BLOCKS, &c->cache_blocks) ||
         !cfg_whole(r, g, "read_ahead_blocks", 1, c->cache_blocks, &c->read_ahead_blocks) ||

@@ -260,7 +260,7 @@ static void bad_files_are_named_by_line_and_key(void **state)
         {15, "message_ids = 9; moves_at_once = -1; };",
          "toy.cfg:15: moves_at_once: -1 is out of range: 0 to 1000 are allowed"},
         {1, "name = \"toy\"; description = \"for tests\"; cfs = { io_nodes = 2; disks = 1; };",
-         "toy.cfg:1: disks: 1 is out of range: 2 to 4096 are allowed"},
+         "toy.cfg:1: disks: 1 is too few for io_nodes = 2: each I/O node has a disk at least"},
         {1, "name = \"toy\"; description = \"for tests\"; cfs = { io_nodes = 2; discs = 1; };",
          "toy.cfg:1: discs: unknown key; known here: io_nodes, disks"},
         {1, "name = \"toy\"; description = \"for tests\"; host = { " HOST " link_us_per_byte = 1; };",

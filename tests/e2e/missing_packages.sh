@@ -16,7 +16,8 @@ new_computer() { env -i PATH="$work/bin" HOME="$work" "$@" >out 2>err </dev/null
 
 new_computer make -C "$root" B="$work/build"
 check "make names the packages that are missing" grep -q '^These Debian packages are missing:.* gcc .* nettle-dev' out
-check "and the command that installs them" grep -q 'make setup GROUP="run build"' out
+check "those of nxcc --mpi, too" grep -q '^These Debian packages are missing:.* libopenmpi-dev' out
+check "and the command that installs them" grep -q 'make setup GROUP="run build cluster"' out
 check "make fails" ended_with 2
 check "at once: nothing is compiled" eval '! grep -q "^  CC" out'
 check "it says how to build all the same" said 'make MISSING='

@@ -223,6 +223,23 @@ static void time_that_moved_is_told_by_function_first(void **state)
     compare_free(p);
 }
 
+static void changes_stand_in_one_column(void **state)
+{
+    (void)state;
+    struct compare_point *p = compared("{\"total_s\": 1, \"slave_idle_spread_pct\": 2}",
+                                       "{\"total_s\": 2, \"slave_idle_spread_pct\": 3}", NULL, false);
+    char *text = NULL;
+    size_t size;
+    FILE *f = open_memstream(&text, &size);
+    compare_print(p, f);
+    fclose(f);
+    assert_string_equal(text, "WORSE   s: nodes 2\n"
+                              "  worse   total_s               1 -> 2 (+100.00 %, +1)\n"
+                              "          slave_idle_spread_pct 2 -> 3 (+50.00 %, +1)\n");
+    free(text);
+    compare_free(p);
+}
+
 static void without_a_profile_it_is_told_by_class(void **state)
 {
     (void)state;
@@ -324,6 +341,7 @@ int main(void)
         cmocka_unit_test(where_files_are_and_wall_times_are_left_out),
         cmocka_unit_test(a_point_is_called_by_its_axes),
         cmocka_unit_test(time_that_moved_is_told_by_function_first),
+        cmocka_unit_test(changes_stand_in_one_column),
         cmocka_unit_test(without_a_profile_it_is_told_by_class),
         cmocka_unit_test(a_baseline_is_the_same_when_read_again),
         cmocka_unit_test(what_is_no_baseline_is_told),

@@ -47,9 +47,12 @@ static void print_figures(const struct compare_point *p, FILE *out)
 {
     static const char *const said[] = {
         [COMPARE_TOLD] = "", [COMPARE_BETTER] = "better", [COMPARE_WORSE] = "worse"};
+    int widest = 20;
+    for (size_t i = 0; i < p->figure_count; i++)
+        widest = strlen(p->figures[i].name) > (size_t)widest ? (int)strlen(p->figures[i].name) : widest;
     for (size_t i = 0; i < p->figure_count; i++) {
         const struct compare_figure *f = &p->figures[i];
-        fprintf(out, "  %-6s  %-20s ", said[f->verdict], f->name);
+        fprintf(out, "  %-6s  %-*s ", said[f->verdict], widest, f->name);
         print_change(f, out);
         fputc('\n', out);
     }

@@ -6,7 +6,7 @@
  *     axes = (
  *         { name = "nodes"; values = { from = 16; to = 1024; times = 2; }; },
  *         { name = "group"; values = ( 2, 4, 8 ); arguments = "-group {}"; },
- *         { name = "disks"; values = ( 2, 8 ); set = ( "cfs.disks={}" ); },
+ *         { name = "disks"; values = ( 2, 8 ); set = ( "cfs.disks={}", "cfs.io_nodes={}" ); },
  *         { name = "share"; value = "nodes / group"; arguments = "-share {}"; when = "share > 1"; },
  *         { name = "output"; cases = ( { label = "none"; },
  *                                     { label = "all"; arguments = "-parts /cfs/p"; } ); } );

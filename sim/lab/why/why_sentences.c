@@ -140,7 +140,7 @@ static void say_handlers(struct why *w, const struct part *p, FILE *f)
 {
     struct why_unit u = why_unit_for(w->length);
     fprintf(f, " %s handlers took %s (%s)", number_grouped(handlers_on(w, p->node)).text,
-            why_time(u, p->of[WHY_HANDLERS]).text, why_percent(p->of[WHY_HANDLERS], p->time).text);
+            why_time(u, p->of[WHY_HANDLERS]).text, why_percent(p->of[WHY_HANDLERS], w->length).text);
     name_functions(w, p, WHY_HANDLERS, ", mostly for ", f);
     fprintf(f, "; entering and leaving them took %s of it.", why_time(u, entering_on(w, p->node)).text);
 }
@@ -164,7 +164,7 @@ static void say_class(struct why *w, const struct part *p, enum why_class class,
         return;
     }
     fprintf(f, " For %s (%s) %s", why_time(why_unit_for(w->length), p->of[class]).text,
-            why_percent(p->of[class], p->time).text, WORDS[class]);
+            why_percent(p->of[class], w->length).text, WORDS[class]);
     if (class == WHY_COMPUTING)
         name_functions(w, p, class, ", mostly in ", f);
     fputc('.', f);
@@ -240,9 +240,9 @@ static void cause(struct why *w, FILE *f)
     } else if (one && (most == WHY_HANDLERS || most == WHY_STOLEN)) {
         fprintf(
             f,
-            "So serving the others keeps %s from its own work: their messages take %s, %s of its time, the "
+            "So serving the others keeps %s from its own work: their messages take %s, %s of the run, the "
             "larger part of it in %s.",
-            node_words(w, node), why_time(u, served).text, why_percent(served, p.time).text,
+            node_words(w, node), why_time(u, served).text, why_percent(served, w->length).text,
             p.of[WHY_HANDLERS] >= p.of[WHY_STOLEN] ? "handlers" : "interrupts of its system");
     } else {
         fprintf(f, "Besides computing, the largest cause is %s: %s of the path.",
