@@ -5,6 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "nx_api/driver/cluster.h"
+#include "nx_api/driver/intel.h"
 #include "nx_api/driver/text.h"
 
 /* --- before the user's arguments --- */
@@ -48,6 +49,18 @@ static void add_fortran(struct arguments *a)
     add_all(a, options);
     if (!a->warnings)
         add(a, "-w"); /* a warning for each such buffer would hide all others */
+}
+
+/* C of before 1989 is full of what GCC warns of, and its makefiles ask for no warning. What may cut a pointer
+ * is still said. */
+static void add_c(struct arguments *a)
+{
+    static const char *const old_style[] = {"-Wno-implicit-int", "-Wno-implicit-function-declaration",
+                                            "-Wno-builtin-declaration-mismatch",
+                                            "-Wno-incompatible-pointer-types", NULL};
+    add(a, "-fcommon"); /* old programs define a variable in several files */
+    if (intel_is_c_name() && !a->warnings)
+        add_all(a, old_style);
 }
 
 /* --- behind them --- */
@@ -178,7 +191,7 @@ const char **command(const struct arguments *user, const struct places *p, bool 
     if (fortran)
         add_fortran(&a);
     else
-        add(&a, "-fcommon"); /* old programs define a variable in several files */
+        add_c(&a);
     for (size_t i = 0; i < user->count; i++)
         if (fortran || user->gcc[i].kind != FORTRAN_OPTION)
             add(&a, user->gcc[i].text);

@@ -44,7 +44,7 @@ static const struct own_option {
                {"-lkmath", NULL, "the reference BLAS and LAPACK, counted; -lblas and -llapack are the same"},
                {"--as-intel", "DIR",
                 "make links in DIR by the names that makefiles of the time use: icc, if77,\n"
-                "ar860, as860, nm860, size860, strip860"},
+                "ar860, as860, nm860, size860, strip860, and cc and f77 for host programs"},
                {"--as-mpi", "DIR",
                 "make links in DIR by the names of MPI's compilers: mpicc, mpif77, mpif90, mpifort.\n"
                 "They compile MPI programs for simulated nodes; so does nxcc with -lmpi"},

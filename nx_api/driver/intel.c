@@ -143,9 +143,18 @@ void intel_become_tool(char **argv)
              "doc/old-programs.md");
 }
 
+/* cc and f77 compiled host programs: on the host, or on the user's own computer. */
+static const char *const c_names[] = {"icc", "cc", NULL};
+
+bool intel_is_c_name(void)
+{
+    return is_one_of(program_invocation_short_name, c_names);
+}
+
 _Noreturn void intel_links(const char *folder)
 {
-    static const char *const names[] = {"icc", "if77", "ar860", "as860", NULL};
+    static const char *const names[] = {"if77", "f77", "ar860", "as860", NULL};
+    make_links(folder, c_names);
     make_links(folder, names);
     make_link(folder, "nm860", which("nm"));
     make_link(folder, "size860", which("size"));

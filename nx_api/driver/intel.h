@@ -13,8 +13,11 @@ bool intel_take(struct arguments *a, const char *option);
 void intel_note(const struct arguments *a);
 
 /* Makes the folder, if there is none, and in it links by the names of Intel's tools: icc, if77, ar860,
- * as860, nm860, size860, strip860. Does not return. */
+ * as860, nm860, size860, strip860; and cc and f77. Does not return. */
 _Noreturn void intel_links(const char *folder);
+
+/* Is nxcc called as the C compiler of a makefile of the time? */
+bool intel_is_c_name(void);
 
 /* Is nxcc called by a name of MPI's compilers? Makes links by these names: mpicc, mpif77, mpif90, mpifort. */
 bool intel_is_mpi_name(void);

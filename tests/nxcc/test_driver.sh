@@ -96,13 +96,20 @@ check "without it: long has 64 bits" says "static assertion failed" "$NXCC" -c l
 
 
 # --- as icc and if77 ---
-intel() { "$NXCC" --as-intel bin860 >said && "$NXCC" --as-intel bin860 >said && [ -x bin860/as860 ] && [ -x bin860/size860 ]; }
+intel() { "$NXCC" --as-intel bin860 >said && "$NXCC" --as-intel bin860 >said && [ -x bin860/as860 ] && [ -x bin860/size860 ] && [ -x bin860/f77 ]; }
 check "--as-intel makes links by the names of Intel's tools" intel
 archive() { "$NXCC" -c other.c && rm -f libother.a && bin860/ar860 crl libother.a other.o && "$NXCC" hello.c libother.a; }
 check "ar860: the l of that time, for temporary files, is left out" archive
 main_in_archive() { "$NXCC" -c hello.c other.c && rm -f libmain.a && ar q libmain.a hello.o other.o && "$NXCC" -o hello libmain.a; }
 check "main may be in an archive" main_in_archive
 check "ar860: other letters and options are ar's" eval "bin860/ar860 t libother.a | grep -qx other.o && bin860/ar860 --help >said"
+host_program() { echo '#include <cube.h>
+main() { setpid(100); getcube("c", "2", "", 0); relcube("c"); }' >host.c && bin860/cc -host -o host host.c >said 2>&1 && [ ! -s said ]; }
+check "cc compiles the host program of a makefile, without warnings of old C" host_program
+pointer_cut() { echo 'char *f(char *p) { return (char *)(int)p; } g() { return h(); }' >cut.c && bin860/icc -c cut.c 2>said && grep -q 'int-to-pointer-cast' said && ! grep -q implicit said; }
+check "icc warns of a pointer that is cut, all the same" pointer_cut
+asked() { bin860/icc -Wall -c cut.c 2>said && grep -q implicit said; }
+check "icc -Wall: and of all else" asked
 check "as860 says what to do" says "as860: the i860's assembler is the one thing to be written anew" bin860/as860 -o x.o x.s
 one_note() {
     bin860/icc -O4 -i860 -Knoieee -Mvect -Mstreamall -node -o hello hello.c other.c -lnode -lm 2>said &&
