@@ -1,7 +1,7 @@
 # mpi.mk - NX on MPI, for nxcc --mpi. Included by the Makefile.
 #   $B/node/mpi/KIND/libnx.a   what programs are linked with, for each kind of MPI (find-mpi): one object of all that serves
 #                              the calls, in which only the calls' own names are visible, and the calls that are programs over
-#                              others (nx_api/common, nx_api/fortran). Of one kind differs only what includes mpi.h.
+#                              others (nx_api/common, nx_api/fortran), and names that the C library has no more. Of one kind differs only what includes mpi.h.
 MPI        := $(NODE)/mpi
 MPI_FOUND  := $(shell nx_api/mpi/find-mpi)
 MPI_KINDS  := $(foreach found,$(MPI_FOUND),$(firstword $(subst =, ,$(found))))
@@ -10,7 +10,7 @@ MPI_BOUND  := $(shell grep -lF -e '<mpi.h>' $$(grep -l '^\#include <mpi.h>' nx_a
 MPI_SRC    := $(filter-out $(MPI_BOUND),$(wildcard nx_api/mpi/*.c nx_api/calls/*.c nx_api/contract/*.c nx_api/waitfor/*.c))
 MPI_LONG32 := $(addprefix $(MPI)/obj/,mpi/mpi_long32.o calls/long32_formats.o calls/long32_calls.o) # only in libnx_long32.a
 MPI_OBJ    := $(MPI_SRC:nx_api/%.c=$(MPI)/obj/%.o)
-MPI_COMMON := $(patsubst nx_api/%,$(MPI)/obj/%.o,$(basename $(wildcard nx_api/common/*.c nx_api/fortran/*.c nx_api/fortran/*.f90)))
+MPI_COMMON := $(patsubst nx_api/%,$(MPI)/obj/%.o,$(basename $(wildcard nx_api/common/*.c nx_api/fortran/*.c nx_api/fortran/*.f90) nx_api/libc/removed_names.c))
 MPI_FLAGS   = -std=gnu17 -O2 -g $(PREFIX_MAP) $(WARN) -D_GNU_SOURCE -fPIE -fno-omit-frame-pointer
 MPI_HIDDEN  = $(MPI_FLAGS) -I. -Inx_api/mpi/include -fvisibility=hidden -MMD -MP
 MPI_NEEDED  = $(MPI)/found nx_api/contract/calls.def

@@ -14,7 +14,10 @@
  *
  * Free blocks are kept in bins: one bin for each size below 512 bytes, then one for each power of two. A
  * request takes the best block of its own bin, otherwise the first of the next bin that is not empty,
- * otherwise moves top. */
+ * otherwise moves top.
+ *
+ * What the break has given is a block, too, with a tag of its own: free() does not know it. The break is the
+ * end of that block if it lies below top, otherwise where the bytes of a new block would begin. */
 #include <assert.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -29,6 +32,7 @@
 #define BINS 64u
 #define TAG_USED 0xa110ca7eu
 #define TAG_FREE 0x0f4eeb10u
+#define TAG_BREAK 0xb4ea4b10u
 #define REST 0xe5
 
 struct block {
@@ -79,6 +83,10 @@ static uint32_t tag_at(const struct block *b, uint32_t kind)
 static bool is_free(const struct block *b)
 {
     return b->tag == tag_at(b, TAG_FREE);
+}
+static bool is_in_use(const struct block *b)
+{
+    return b->tag == tag_at(b, TAG_USED) || b->tag == tag_at(b, TAG_BREAK);
 }
 static struct block *after(const struct block *b)
 {
@@ -230,6 +238,18 @@ static uint32_t block_size(const struct node_heap *h, size_t bytes)
     return (uint32_t)(size < LEAST ? LEAST : size);
 }
 
+/* Makes a block above top; NULL if there is no room. */
+static struct block *add_block(struct node_heap *h, uint32_t size, uint32_t kind)
+{
+    struct block *b = (struct block *)h->top;
+    if (!raise_top(h, h->top + size))
+        return NULL;
+    b->prev = h->last;
+    b->tag = tag_at(b, kind);
+    set_size(h, b, size);
+    return b;
+}
+
 void *node_heap_alloc(struct node_heap *h, size_t bytes)
 {
     uint32_t size = block_size(h, bytes);
@@ -242,12 +262,9 @@ void *node_heap_alloc(struct node_heap *h, size_t bytes)
         trim(h, b, size);
         set_asked(b, bytes);
     } else {
-        b = (struct block *)h->top;
-        if (!raise_top(h, h->top + size))
+        b = add_block(h, size, TAG_USED);
+        if (b == NULL)
             return NULL;
-        b->prev = h->last;
-        b->tag = tag_at(b, TAG_USED);
-        set_size(h, b, size);
         set_asked(b, bytes);
     }
     return (char *)b + HEAD;
@@ -302,8 +319,8 @@ static struct block *block_of(const struct node_heap *h, const void *p)
 static bool has_head(const struct node_heap *h, const struct block *b, uint32_t prev)
 {
     size_t room = (size_t)(h->top - (const char *)b);
-    return (b->tag == tag_at(b, TAG_USED) || is_free(b)) && b->prev == prev && b->size >= LEAST &&
-           b->size <= room && b->size % HEAD == 0;
+    return (is_in_use(b) || is_free(b)) && b->prev == prev && b->size >= LEAST && b->size <= room &&
+           b->size % HEAD == 0;
 }
 
 size_t node_heap_check(const struct node_heap *h, const void **block)
@@ -330,7 +347,7 @@ size_t node_heap_in_use(const struct node_heap *h, size_t *free_blocks)
     size_t bytes = 0;
     *free_blocks = 0;
     for (const struct block *b = (const struct block *)h->base; (const char *)b < h->top; b = after(b))
-        if (b->tag == tag_at(b, TAG_USED))
+        if (is_in_use(b))
             bytes += b->size;
         else if (is_free(b))
             ++*free_blocks;
@@ -394,4 +411,37 @@ void *node_heap_resize(struct node_heap *h, void *p, size_t bytes)
         give_back(h, b);
     }
     return q;
+}
+
+/* --- the break --- */
+
+/* The block whose end is the break; NULL: the block below top is another's. */
+static struct block *break_block(const struct node_heap *h)
+{
+    struct block *b = (struct block *)(h->top - h->last);
+    return h->last != 0 && b->tag == tag_at(b, TAG_BREAK) ? b : NULL;
+}
+
+void *node_heap_break(const struct node_heap *h)
+{
+    struct block *b = break_block(h);
+    return b ? bytes_of(b) + b->asked : (unsigned char *)h->top + HEAD;
+}
+
+bool node_heap_move_break(struct node_heap *h, ptrdiff_t by)
+{
+    struct block *b = break_block(h);
+    size_t before = b ? b->asked : 0;
+    if (by < 0 && (size_t)-by > before)
+        return false;
+    uint32_t size = block_size(h, before + (size_t)by);
+    if (by == 0 || size == 0)
+        return by == 0;
+    if (b == NULL ? (b = add_block(h, size, TAG_BREAK)) == NULL : size > b->size && !widen(h, b, size))
+        return false;
+    trim(h, b, size);
+    if (by > 0)
+        memset(bytes_of(b) + before, 0, (size_t)by);
+    set_asked(b, before + (size_t)by);
+    return true;
 }

@@ -22,6 +22,12 @@ bool node_heap_owns(const struct node_heap *h, const void *p); /* is p an undama
 /* The bytes that it was asked for; 0: p is no such block. */
 size_t node_heap_bytes(const struct node_heap *h, const void *p);
 int node_heap_release(struct node_heap *h, void *p); /* 0, or -1 if p is no such block */
+/* Where UNIX would say that the program's memory ends, for sbrk(): what it gets by node_heap_move_break()
+ * begins here. It rises with blocks that are allocated above all others, too. */
+void *node_heap_break(const struct node_heap *h);
+/* Moves the break by so many bytes; new ones are 0. Returns false and changes nothing if there is no room, or
+ * if what lies below the break is not all the break's own. */
+bool node_heap_move_break(struct node_heap *h, ptrdiff_t by);
 /* Looks for a block that was written past its end, or before its start. Sets *block to the address that the
  * program has of it, NULL if there is none, and returns the bytes that the program had asked for there. */
 size_t node_heap_check(const struct node_heap *h, const void **block);

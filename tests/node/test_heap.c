@@ -242,6 +242,44 @@ static void addresses_depend_on_the_calls_only(void **state)
     teardown(&other);
 }
 
+static void the_break_moves_without_gaps(void **state)
+{
+    struct fixture *x = *state;
+    char *first = node_heap_break(x->heap), *used = memset(node_heap_alloc(x->heap, 100), 7, 100);
+    char *begin = node_heap_break(x->heap);
+    assert_true(begin > used + 100 && first < begin); /* blocks raise it */
+    assert_true(node_heap_move_break(x->heap, 1000) && node_heap_move_break(x->heap, 5));
+    assert_ptr_equal(node_heap_break(x->heap), begin + 1005);
+    memset(begin, 9, 1005);
+    assert_true(node_heap_move_break(x->heap, -1005) && node_heap_move_break(x->heap, 1005));
+    for (int i = 0; i < 1005; i++)
+        assert_int_equal(begin[i], 0);
+    assert_false(node_heap_move_break(x->heap, -1006));
+    x->allowed = node_heap_used(x->heap) + 100;
+    assert_false(node_heap_move_break(x->heap, 200));
+    assert_ptr_equal(node_heap_break(x->heap), begin + 1005);
+}
+
+static void what_the_break_gave_is_no_block_of_malloc(void **state)
+{
+    struct fixture *x = *state;
+    char *begin = node_heap_break(x->heap);
+    const void *damaged;
+    size_t free_blocks;
+    assert_true(node_heap_move_break(x->heap, 100));
+    assert_int_equal(node_heap_release(x->heap, begin), -1);
+    char *above = node_heap_alloc(x->heap, 50), *end = node_heap_break(x->heap);
+    assert_true(end > above + 50);
+    assert_true(node_heap_move_break(x->heap, 10)); /* a part of its own behind the block */
+    assert_ptr_equal(node_heap_break(x->heap), end + 10);
+    assert_int_equal(node_heap_check(x->heap, &damaged), 0);
+    assert_null(damaged);
+    assert_int_equal(node_heap_in_use(x->heap, &free_blocks), node_heap_used(x->heap));
+    end[10] = 1;
+    assert_int_equal(node_heap_check(x->heap, &damaged), 10);
+    assert_ptr_equal(damaged, end);
+}
+
 int main(void)
 {
 #define TEST(f) cmocka_unit_test_setup_teardown(f, setup, teardown)
@@ -254,6 +292,8 @@ int main(void)
         TEST(resize_stays_in_place_when_it_can),
         TEST(foreign_and_damaged_pointers_are_refused),
         TEST(freed_twice_is_refused),
+        TEST(the_break_moves_without_gaps),
+        TEST(what_the_break_gave_is_no_block_of_malloc),
         TEST(random_calls_keep_contents_and_end_empty),
         TEST(addresses_depend_on_the_calls_only),
     };

@@ -172,6 +172,29 @@ char *node_strdup(const char *s)
     return node_strndup(s, strlen(s));
 }
 
+/* UNIX's end of the program's memory, and how it moves. Only the low 32 bits of sbrk's argument count, as
+ * signed: programs call it undeclared. */
+void *node_sbrk(int by)
+{
+    struct node *n = node_self();
+    void *before = node_heap_break(n->heap);
+    if (node_heap_move_break(n->heap, by))
+        return before;
+    if (by > 0)
+        note_refusal(n, (size_t)by);
+    errno = ENOMEM;
+    return (void *)-1;
+}
+
+int node_brk(char *end)
+{
+    struct node *n = node_self();
+    if (node_heap_move_break(n->heap, end - (char *)node_heap_break(n->heap)))
+        return 0;
+    errno = ENOMEM;
+    return -1;
+}
+
 /* Counts in the fields that System V had, as ints. */
 struct mallinfo node_mallinfo(void);
 struct mallinfo node_mallinfo(void)

@@ -21,6 +21,12 @@ struct random_numbers {
 
 enum { PROGRAM_NAMES = 4 };
 
+/* A timer of setitimer(): first, and then every so many microseconds from a time of its clock on; 0: not. */
+struct node_timer {
+    vtime from;
+    uint64_t first, every;
+};
+
 struct node_libc {
     struct streams streams;
     struct descriptors descriptors;
@@ -43,8 +49,8 @@ struct node_libc {
     unsigned short *seed48_before;       /* NULL: not yet */
     struct __locale_struct *locale;
     struct ctype_tables *ctype;
-    rlim_t *soft_limits; /* NULL: as they are at first */
-    vtime alarm_at;      /* 0: none is set */
+    rlim_t *soft_limits;         /* NULL: as they are at first */
+    struct node_timer timers[3]; /* by ITIMER_REAL, which is the alarm, and so on */
     unsigned temporary_names;
     void (**atexit)(void);
     size_t atexit_count;

@@ -103,14 +103,88 @@ clock_t node_times(struct tms *t)
     return (clock_t)(r.now / tick);
 }
 
-/* The alarm's signal never comes: a program gets no signals but those that end it. The answer is what was
- * left of the alarm before. */
+/* --- timers: they run, but their signals never come, as a program gets none but those that end it --- */
+
+/* What is left of a timer, in microseconds, when its clock shows `now`: what runs is not 0. */
+static uint64_t timer_left(const struct node_timer *t, vtime now)
+{
+    uint64_t passed = (now - t->from) / VT_MICROSECOND;
+    if (passed < t->first)
+        return t->first - passed;
+    return t->every > 0 ? t->every - (passed - t->first) % t->every : 0;
+}
+
+static uint64_t micro(const struct timeval *t)
+{
+    return (uint64_t)t->tv_sec * 1000000 + (uint64_t)t->tv_usec;
+}
+
+static struct timeval timeval_of(uint64_t t)
+{
+    return (struct timeval){(time_t)(t / 1000000), (suseconds_t)(t % 1000000)};
+}
+
+/* The answer is what was left of the alarm before. */
 unsigned node_alarm(unsigned seconds)
 {
-    vtime *at = &libc_of(node_self())->alarm_at, now = clock_call("alarm");
-    vtime left = *at > now ? *at - now : 0;
-    *at = seconds > 0 ? now + seconds * VT_SECOND : 0;
-    return (unsigned)((left + VT_SECOND - 1) / VT_SECOND);
+    struct node_timer *t = &libc_of(node_self())->timers[ITIMER_REAL];
+    vtime now = clock_call("alarm");
+    uint64_t left = timer_left(t, now);
+    *t = (struct node_timer){now, (uint64_t)seconds * 1000000, 0};
+    return (unsigned)((left + 999999) / 1000000);
+}
+
+/* What the clock of a timer shows: the node's, that of its user time, or of user and system time. */
+static vtime timer_clock(const struct reading *r, int which)
+{
+    return r->now - (which == ITIMER_REAL ? 0 : r->idle) - (which == ITIMER_VIRTUAL ? r->system : 0);
+}
+
+static bool is_time(const struct timeval *t)
+{
+    return t->tv_sec >= 0 && t->tv_sec <= INT32_MAX && t->tv_usec >= 0 && t->tv_usec < 1000000;
+}
+
+static int wrong_timer(void)
+{
+    errno = EINVAL;
+    return -1;
+}
+
+/* `to` and `before` may be NULL. */
+static int use_timer(const char *call, int which, const struct itimerval *to, struct itimerval *before)
+{
+    if (which < ITIMER_REAL || which > ITIMER_PROF)
+        return wrong_timer();
+    struct node_timer *t = &libc_of(node_self())->timers[which];
+    struct reading r = read_clock(call);
+    vtime now = timer_clock(&r, which);
+    struct itimerval was = {timeval_of(t->every), timeval_of(timer_left(t, now))};
+    uint64_t first = to ? micro(&to->it_value) : 0;
+    if (to)
+        *t = (struct node_timer){now, first, first > 0 ? micro(&to->it_interval) : 0};
+    if (before)
+        *before = was;
+    return 0;
+}
+
+int node_getitimer(int which, struct itimerval *to)
+{
+    return use_timer("getitimer", which, NULL, to);
+}
+
+int node_setitimer(int which, const struct itimerval *to, struct itimerval *before)
+{
+    if (to && !(is_time(&to->it_value) && is_time(&to->it_interval)))
+        return wrong_timer();
+    return use_timer("setitimer", which, to ? to : &(struct itimerval){0}, before);
+}
+
+useconds_t node_ualarm(useconds_t first, useconds_t every)
+{
+    struct itimerval to = {timeval_of(every), timeval_of(first)}, before;
+    use_timer("ualarm", ITIMER_REAL, &to, &before);
+    return (useconds_t)micro(&before.it_value);
 }
 
 /* The format with GNU's %s replaced by the seconds: the host's strftime would compute them for the host's
@@ -182,12 +256,21 @@ static void pause_for(const char *call, vtime t)
     node_leave(n);
 }
 
+/* When the timer ends next: now, if it does not run. */
+static vtime timer_due(const struct node_timer *t, vtime now)
+{
+    uint64_t most = (UINT64_MAX - now) / VT_MICROSECOND - 1, left = timer_left(t, now);
+    vtime rest = (now - t->from) % VT_MICROSECOND;
+    return left > 0 ? now + (left < most ? left : most) * VT_MICROSECOND - rest : now;
+}
+
 /* Returns when the alarm is due, as if its signal had come; with no alarm set, at once. */
 int node_pause(void)
 {
-    vtime *at = &libc_of(node_self())->alarm_at, now = clock_call("pause");
-    pause_for("pause", *at > now ? *at - now : 0);
-    *at = 0;
+    struct node_timer *t = &libc_of(node_self())->timers[ITIMER_REAL];
+    vtime now = clock_call("pause"), due = timer_due(t, now);
+    pause_for("pause", due - now);
+    *t = (struct node_timer){due, t->every, t->every};
     node_set_errno(EINTR);
     return -1;
 }
