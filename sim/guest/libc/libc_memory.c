@@ -177,8 +177,8 @@ char *node_strdup(const char *s)
 void *node_sbrk(int by)
 {
     struct node *n = node_self();
-    void *before = node_heap_break(n->heap);
-    if (node_heap_move_break(n->heap, by))
+    void *before = node_heap_break(n->guest.heap);
+    if (node_heap_move_break(n->guest.heap, by))
         return before;
     if (by > 0)
         note_refusal(n, (size_t)by);
@@ -189,7 +189,7 @@ void *node_sbrk(int by)
 int node_brk(char *end)
 {
     struct node *n = node_self();
-    if (node_heap_move_break(n->heap, end - (char *)node_heap_break(n->heap)))
+    if (node_heap_move_break(n->guest.heap, end - (char *)node_heap_break(n->guest.heap)))
         return 0;
     errno = ENOMEM;
     return -1;
