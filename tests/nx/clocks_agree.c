@@ -1,9 +1,29 @@
 /* dclock (seconds), mclock (milliseconds) and hwclock (ticks) never go back and tell the same time, to a
- * millisecond.
+ * millisecond; so do getclock and gettimeofday.
  * run: all
  */
-#include <time.h>
+#include <errno.h>
+#include <sys/time.h>
+#include <sys/timers.h>
 #include "rule.h"
+
+static double seconds(void)
+{
+    struct timeval t;
+    gettimeofday(&t, NULL);
+    return (double)t.tv_sec + 1e-6 * (double)t.tv_usec;
+}
+
+/* OSF/1's clock. */
+static int getclock_agrees(void)
+{
+    struct timespec t;
+    double before = seconds();
+    int good = getclock(TIMEOFDAY, &t) == 0;
+    double now = (double)t.tv_sec + 1e-9 * (double)t.tv_nsec, after = seconds();
+    return good && now >= before - 1e-6 && now <= after + 1e-6 && getclock(TIMEOFDAY + 1, &t) == -1 &&
+           errno == EINVAL;
+}
 
 int main(void)
 {
@@ -28,5 +48,6 @@ int main(void)
     double ticks = (double)(unsigned)then.slow - (double)(unsigned)first.slow +
                    4294967296.0 * (double)(then.shigh - first.shigh);
     rule("hwclock's ticks are of 10 or 50 MHz", ticks > 0.009 * 10e6);
+    rule("getclock agrees with gettimeofday", getclock_agrees());
     return 0;
 }
