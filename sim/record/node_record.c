@@ -14,6 +14,15 @@
 
 enum { DEEPEST_STACK = 32 };
 
+/* What a call's program is told when its caller resumes. */
+struct told {
+    uint8_t flags; /* of CALL_HAS_TYPE and CALL_TOOK */
+    uint32_t taken_source, wait_count;
+    int64_t type;
+    uint64_t taken_order;
+    vtime taken_at;
+};
+
 /* What has begun and not ended: a call, or a handler. */
 struct open {
     union {
@@ -21,19 +30,21 @@ struct open {
         struct recorded_handler handler; /* if is_handler */
     };
     bool is_handler;
-    struct recorded_wait *waits;
-    uint32_t wait_room;
     bool sends; /* what the call waits for: hear_awaits */
-    long from;
     /* Of a deferred call: its time of beginning is known; its program has left it, after such a time,
      * whatever puts off both. */
     bool begun, left;
+    uint32_t wait_room; /* of `waits` */
+    long from;
     vtime takes;
-    struct recorded_call sure; /* what was known of it when it was deferred */
+    struct recorded_wait wait;   /* if the call has had one only */
+    struct recorded_wait *waits; /* if it has had several */
+    struct told sure;            /* what was known of it when it was deferred */
 };
 
-enum { DEEPEST = 4 };
+enum { DEEPEST = 4, NEAR = 4 };
 
+/* Most programs have few deferred calls at a time; what they need lies close together. */
 struct node_record {
     struct observer observer; /* first */
     uint32_t program;
@@ -41,7 +52,8 @@ struct node_record {
     bool continues;                 /* a call of the system was made in it */
     int depth;
     struct open open[DEEPEST];
-    struct open deferred[DEFERRED_MOST]; /* as node.calls */
+    struct open deferred[NEAR]; /* as node.calls, whose others are in `others`. NULL: none yet */
+    struct open *others;
 };
 
 static struct node_record *record_of(struct observer *o)
@@ -62,7 +74,12 @@ static struct open *top(struct node_record *r)
 /* The i-th deferred call. */
 static struct open *nth_deferred(struct node_record *r, const struct node *n, uint32_t i)
 {
-    return &r->deferred[(n->deferred.first + i) % DEFERRED_MOST];
+    uint32_t at = (n->deferred.first + i) % DEFERRED_MOST;
+    if (at < NEAR)
+        return &r->deferred[at];
+    if (!r->others)
+        r->others = xcalloc(DEFERRED_MOST - NEAR, sizeof *r->others);
+    return &r->others[at - NEAR];
 }
 
 /* What the program is in. */
@@ -144,7 +161,7 @@ static void end_call(struct node *n, struct open *o, vtime t)
 {
     o->call.end = t;
     o->call.ordered = vt_min(vt_max(o->call.ordered, o->call.begin), t);
-    o->call.waits = o->waits;
+    o->call.waits = o->call.wait_count > 1 ? o->waits : &o->wait;
     recorder_call(recorder_of(n), &o->call);
 }
 
@@ -179,17 +196,27 @@ static void hear_awaits(struct observer *by, struct node *n, bool sends, long fr
         o->sends = sends, o->from = from;
 }
 
+static struct recorded_wait *next_wait(struct open *o)
+{
+    uint32_t count = o->call.wait_count++;
+    if (!count)
+        return &o->wait;
+    if (count >= o->wait_room) {
+        o->wait_room = o->wait_room ? 2 * o->wait_room : 4;
+        o->waits = xreallocarray(o->waits, o->wait_room, sizeof *o->waits);
+    }
+    if (count == 1)
+        o->waits[0] = o->wait;
+    return &o->waits[count];
+}
+
 static void hear_waited(struct observer *by, struct node *n, vtime begin, vtime end, vtime busy)
 {
     struct node_record *r = record_of(by);
     struct open *o = innermost_call(r, n);
     if (!o || end == begin)
         return;
-    if (o->call.wait_count == o->wait_room) {
-        o->wait_room = o->wait_room ? 2 * o->wait_room : 4;
-        o->waits = xreallocarray(o->waits, o->wait_room, sizeof *o->waits);
-    }
-    struct recorded_wait *w = &o->waits[o->call.wait_count++];
+    struct recorded_wait *w = next_wait(o);
     *w = (struct recorded_wait){.begin = begin, .end = end, .busy = busy};
     if (n->call.awaits)
         w->flags |= WAIT_HAS_TYPE, w->type = n->call.awaited;
@@ -235,12 +262,24 @@ static void exchange(struct open *a, struct open *b)
     *a = *b, *b = before;
 }
 
+static const uint8_t TOLD = CALL_HAS_TYPE | CALL_TOOK;
+
+static struct told told_of(const struct recorded_call *c)
+{
+    return (struct told){.flags = c->flags & TOLD,
+                         .taken_source = c->taken_source,
+                         .wait_count = c->wait_count,
+                         .type = c->type,
+                         .taken_order = c->taken_order,
+                         .taken_at = c->taken_at};
+}
+
 static void hear_deferred(struct observer *by, struct node *n)
 {
     struct node_record *r = record_of(by);
     struct open *o = nth_deferred(r, n, n->deferred.count - 1);
     begin_call(r, n, o, __builtin_frame_address(0));
-    o->sure = o->call;
+    o->sure = told_of(&o->call);
 }
 
 static void hear_deferred_again(struct observer *by, struct node *n)
@@ -250,7 +289,7 @@ static void hear_deferred_again(struct observer *by, struct node *n)
     exchange(o, top(r));
     r->depth--;
     o->begun = true;
-    o->sure = o->call;
+    o->sure = told_of(&o->call);
 }
 
 static void hear_committed(struct observer *by, struct node *n, vtime t)
@@ -279,15 +318,13 @@ static void hear_popped(struct observer *by, struct node *n)
         exchange(push(r, false), o);
 }
 
-/* What the call's program was told when its caller resumed, which it now does not; what the call has sent, it
- * sent when it began. */
-static void forget_resuming(struct recorded_call *c, const struct recorded_call *sure)
+/* The caller resumed, which it now does not; what the call has sent, it sent when it began. */
+static void forget_resuming(struct recorded_call *c, const struct told *sure)
 {
-    const uint8_t told = CALL_HAS_TYPE | CALL_TOOK;
-    c->flags = (uint8_t)((c->flags & ~told) | (sure->flags & told));
+    c->flags = (uint8_t)((c->flags & ~TOLD) | sure->flags);
+    c->taken_source = sure->taken_source, c->wait_count = sure->wait_count;
     c->type = sure->type;
-    c->taken_source = sure->taken_source, c->taken_order = sure->taken_order, c->taken_at = sure->taken_at;
-    c->wait_count = sure->wait_count;
+    c->taken_order = sure->taken_order, c->taken_at = sure->taken_at;
 }
 
 /* The program goes no further. If it was in the first of them, it still is. */
@@ -360,8 +397,11 @@ static void hear_ends(struct observer *by, struct node *n, vtime t)
     recorder_node_end(recorder_of(n), n->lp.address, t);
     for (int i = 0; i < DEEPEST; i++)
         free(r->open[i].waits);
-    for (int i = 0; i < DEFERRED_MOST; i++)
+    for (int i = 0; i < NEAR; i++)
         free(r->deferred[i].waits);
+    for (int i = 0; r->others && i < DEFERRED_MOST - NEAR; i++)
+        free(r->others[i].waits);
+    free(r->others);
     observer_remove(n, by);
     free(r);
 }

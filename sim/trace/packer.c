@@ -5,7 +5,7 @@
 #include <zstd.h>
 #include "kernel/xalloc.h"
 
-enum { ROOM = 1 << 18, LEVEL = 1 };
+enum { ROOM = 1 << 15, LEVEL = 1 };
 
 struct stream {
     struct packer packer;
@@ -19,7 +19,7 @@ struct stream {
 struct packer *packer_new(FILE *out)
 {
     struct stream *s = xmalloc(sizeof *s);
-    s->packer.room = (struct packer_room){s->bytes, s->bytes + ROOM};
+    s->packer = (struct packer){s->bytes, s->bytes + ROOM};
     s->out = out;
     s->zstd = xchecked(ZSTD_createCCtx());
     ZSTD_CCtx_setParameter(s->zstd, ZSTD_c_compressionLevel, LEVEL);
@@ -31,7 +31,7 @@ struct packer *packer_new(FILE *out)
 /* Compresses what has been packed. */
 static void compress(struct stream *s, ZSTD_EndDirective how)
 {
-    ZSTD_inBuffer in = {s->bytes, (size_t)(s->packer.room.at - s->bytes), 0};
+    ZSTD_inBuffer in = {s->bytes, (size_t)(s->packer.at - s->bytes), 0};
     size_t left;
     do {
         ZSTD_outBuffer out = {s->compressed, s->compressed_room, 0};
@@ -40,7 +40,7 @@ static void compress(struct stream *s, ZSTD_EndDirective how)
             xexhausted(); /* nothing else can go wrong */
         fwrite(s->compressed, 1, out.pos, s->out);
     } while (how == ZSTD_e_end ? left > 0 : in.pos < in.size);
-    s->packer.room.at = s->bytes;
+    s->packer.at = s->bytes;
 }
 
 void packer_flush(struct packer *p)
@@ -61,5 +61,5 @@ void pack_bytes(struct packer *p, const void *bytes, size_t length)
 {
     pack(p, length);
     for (size_t i = 0; i < length; i++)
-        pack_kind(p, ((const uint8_t *)bytes)[i]);
+        pack_byte(p, ((const uint8_t *)bytes)[i]);
 }

@@ -9,13 +9,9 @@
 /* The longest number takes so many bytes. */
 enum { PACK_LONGEST = 10 };
 
-struct packer_room {
-    uint8_t *at, *end;
-};
-
-/* A stream that is being written. */
+/* A stream that is being written: the room for bytes that are not compressed yet. */
 struct packer {
-    struct packer_room room; /* of the bytes that are not compressed yet; at least PACK_LONGEST are free */
+    uint8_t *at, *end;
 };
 
 struct packer *packer_new(FILE *out);
@@ -23,31 +19,45 @@ struct packer *packer_new(FILE *out);
 void packer_end(struct packer *p);
 void packer_flush(struct packer *p);
 
-static inline void packer_make_room(struct packer *p)
+/* Where the next bytes go: there is room for so many numbers. Where they end, packer_wrote() is told. */
+static inline uint8_t *packer_room(struct packer *p, unsigned numbers)
 {
-    if (p->room.end - p->room.at < PACK_LONGEST)
+    if (p->end - p->at < (ptrdiff_t)numbers * PACK_LONGEST)
         packer_flush(p);
+    return p->at;
 }
 
-static inline void pack_kind(struct packer *p, uint8_t kind)
+static inline void packer_wrote(struct packer *p, uint8_t *end)
 {
-    packer_make_room(p);
-    *p->room.at++ = kind;
+    p->at = end;
+}
+
+static inline void put(uint8_t **at, uint64_t n)
+{
+    uint8_t *to = *at;
+    for (; n >= 128; n >>= 7)
+        *to++ = (uint8_t)(n | 128);
+    *to++ = (uint8_t)n;
+    *at = to;
+}
+
+static inline void put_signed(uint8_t **at, int64_t n)
+{
+    put(at, (uint64_t)n << 1 ^ (uint64_t)(n >> 63));
 }
 
 static inline void pack(struct packer *p, uint64_t n)
 {
-    packer_make_room(p);
-    uint8_t *at = p->room.at;
-    for (; n >= 128; n >>= 7)
-        *at++ = (uint8_t)(n | 128);
-    *at++ = (uint8_t)n;
-    p->room.at = at;
+    uint8_t *at = packer_room(p, 1);
+    put(&at, n);
+    packer_wrote(p, at);
 }
 
-static inline void pack_signed(struct packer *p, int64_t n)
+static inline void pack_byte(struct packer *p, uint8_t byte)
 {
-    pack(p, (uint64_t)n << 1 ^ (uint64_t)(n >> 63));
+    uint8_t *at = packer_room(p, 1);
+    *at = byte;
+    packer_wrote(p, at + 1);
 }
 
 /* A length and so many bytes. */

@@ -40,10 +40,10 @@ struct recorder *recorder_new(const struct recorder_options *o, const json_t *he
 
 void recorder_end(struct recorder *r, vtime end, uint64_t digest)
 {
-    pack_kind(r->packer, RECORD_END);
+    pack(r->packer, RECORD_END);
     pack(r->packer, end);
     for (int i = 0; i < 8; i++)
-        pack_kind(r->packer, (uint8_t)(digest >> 8 * i));
+        pack_byte(r->packer, (uint8_t)(digest >> 8 * i));
     packer_end(r->packer);
     interned_free(r->names);
     interned_free(r->programs);
@@ -73,7 +73,7 @@ static uint32_t number_text(struct recorder *r, struct interned *all, enum recor
     bool is_new;
     uint32_t number = interned_number(all, text, strlen(text), &is_new);
     if (is_new) {
-        pack_kind(r->packer, (uint8_t)kind);
+        pack(r->packer, kind);
         pack_bytes(r->packer, text, strlen(text));
     }
     return number;
@@ -103,77 +103,86 @@ uint32_t recorder_stack(struct recorder *r, uint32_t program, const uintptr_t *o
     uint32_t number = interned_number(r->stacks, key, (depth + 1) * sizeof *key, &is_new);
     if (!is_new)
         return number;
-    pack_kind(r->packer, RECORD_STACK);
-    pack(r->packer, program);
-    pack(r->packer, depth);
+    uint8_t *at = packer_room(r->packer, 3 + depth);
+    put(&at, RECORD_STACK);
+    put(&at, program);
+    put(&at, depth);
     for (uint32_t i = 0; i < depth; i++)
-        pack_signed(r->packer, (int64_t)(offsets[i] - (i ? offsets[i - 1] : 0)));
+        put_signed(&at, (int64_t)(offsets[i] - (i ? offsets[i - 1] : 0)));
+    packer_wrote(r->packer, at);
     return number;
 }
 
 /* --- records --- */
 
+/* Numbers of a record, without waits and blocks, or of one of these: fewer. */
+enum { MOST_NUMBERS = 20 };
+
 /* A time of an address, as the difference from its last one. */
-static void pack_time(struct packer *p, vtime *last, vtime t)
+static void put_time(uint8_t **at, vtime *last, vtime t)
 {
-    pack_signed(p, (int64_t)(t - *last));
+    put_signed(at, (int64_t)(t - *last));
     *last = t;
 }
 
 static void pack_wait(struct packer *p, const struct recorded_wait *w, vtime since)
 {
-    pack(p, w->begin - since);
-    pack(p, w->end - w->begin);
-    pack(p, w->busy);
-    pack_kind(p, w->flags);
+    uint8_t *at = packer_room(p, MOST_NUMBERS);
+    put(&at, w->begin - since);
+    put(&at, w->end - w->begin);
+    put(&at, w->busy);
+    put(&at, w->flags);
     if (w->flags & WAIT_HAS_TYPE)
-        pack_signed(p, w->type);
+        put_signed(&at, w->type);
     if (w->flags & WAIT_HAS_FROM)
-        pack(p, w->from);
+        put(&at, w->from);
+    packer_wrote(p, at);
 }
 
 void recorder_call(struct recorder *r, const struct recorded_call *c)
 {
-    struct packer *p = r->packer;
     if (!overlaps(r, c->begin, c->end))
         return;
-    pack_kind(p, RECORD_CALL);
-    pack(p, c->address);
-    pack_kind(p, c->flags);
-    pack(p, c->name);
-    pack(p, c->stack);
+    uint8_t *at = packer_room(r->packer, MOST_NUMBERS);
+    put(&at, RECORD_CALL);
+    put(&at, c->address);
+    put(&at, c->flags);
+    put(&at, c->name);
+    put(&at, c->stack);
     if (c->flags & CALL_HAS_TYPE)
-        pack_signed(p, c->type);
-    pack_time(p, &r->last[c->address], c->begin);
-    pack(p, c->end - c->begin);
-    pack(p, c->ordered - c->begin);
+        put_signed(&at, c->type);
+    put_time(&at, &r->last[c->address], c->begin);
+    put(&at, c->end - c->begin);
+    put(&at, c->ordered - c->begin);
     if (c->flags & CALL_SENT)
-        pack(p, c->sent_order), pack(p, c->sent_count);
+        put(&at, c->sent_order), put(&at, c->sent_count);
     if (c->flags & CALL_TOOK)
-        pack(p, c->taken_source), pack(p, c->taken_order), pack(p, c->end - c->taken_at);
-    pack(p, c->wait_count);
+        put(&at, c->taken_source), put(&at, c->taken_order), put(&at, c->end - c->taken_at);
+    put(&at, c->wait_count);
+    packer_wrote(r->packer, at);
     for (uint32_t i = 0; i < c->wait_count; i++)
-        pack_wait(p, &c->waits[i], i ? c->waits[i - 1].end : c->begin);
+        pack_wait(r->packer, &c->waits[i], i ? c->waits[i - 1].end : c->begin);
     r->last[c->address] = c->end;
 }
 
 void recorder_handler(struct recorder *r, const struct recorded_handler *h)
 {
-    struct packer *p = r->packer;
     if (!overlaps(r, h->begin, h->end))
         return;
-    pack_kind(p, RECORD_HANDLER);
-    pack(p, h->address);
-    pack_kind(p, h->flags);
-    pack_signed(p, h->type);
-    pack(p, h->stack);
-    pack_time(p, &r->last[h->address], h->begin);
-    pack(p, h->begin - h->due);
-    pack(p, h->entered - h->begin);
-    pack(p, h->left - h->entered);
-    pack(p, h->end - h->left);
+    uint8_t *at = packer_room(r->packer, MOST_NUMBERS);
+    put(&at, RECORD_HANDLER);
+    put(&at, h->address);
+    put(&at, h->flags);
+    put_signed(&at, h->type);
+    put(&at, h->stack);
+    put_time(&at, &r->last[h->address], h->begin);
+    put(&at, h->begin - h->due);
+    put(&at, h->entered - h->begin);
+    put(&at, h->left - h->entered);
+    put(&at, h->end - h->left);
     if (h->flags & HANDLER_HAS_MESSAGE)
-        pack(p, h->source), pack(p, h->order);
+        put(&at, h->source), put(&at, h->order);
+    packer_wrote(r->packer, at);
     r->last[h->address] = h->end;
 }
 
@@ -182,30 +191,32 @@ void recorder_system(struct recorder *r, uint32_t address, uint32_t task, vtime 
 {
     if (!recorder_wants(r, address) || !overlaps(r, begin, end))
         return;
-    pack_kind(r->packer, RECORD_SYSTEM);
-    pack(r->packer, address);
-    pack(r->packer, task);
-    pack_time(r->packer, &r->last_system[address], charged);
-    pack(r->packer, begin - charged);
-    pack(r->packer, end - begin);
+    uint8_t *at = packer_room(r->packer, MOST_NUMBERS);
+    put(&at, RECORD_SYSTEM);
+    put(&at, address);
+    put(&at, task);
+    put_time(&at, &r->last_system[address], charged);
+    put(&at, begin - charged);
+    put(&at, end - begin);
+    packer_wrote(r->packer, at);
     r->last_system[address] = end;
 }
 
 static void pack_blocks(struct packer *p, const struct recorded_message *m)
 {
     vtime last = m->times[MESSAGE_ENTERED];
-    pack(p, m->block_count);
     for (const struct recorded_block *b = m->blocks; b < m->blocks + m->block_count; b++) {
-        pack(p, b->channel);
-        pack(p, b->begin - last);
-        pack(p, b->end == VT_NEVER ? 0 : b->end - b->begin + 1);
+        uint8_t *at = packer_room(p, MOST_NUMBERS);
+        put(&at, b->channel);
+        put(&at, b->begin - last);
+        put(&at, b->end == VT_NEVER ? 0 : b->end - b->begin + 1);
+        packer_wrote(p, at);
         last = b->end;
     }
 }
 
 void recorder_message(struct recorder *r, const struct recorded_message *m)
 {
-    struct packer *p = r->packer;
     uint64_t flags = (m->is_long ? MESSAGE_LONG : 0) | (m->pid ? MESSAGE_HAS_PID : 0);
     if (!overlaps(r, m->sent, m->times[MESSAGE_COMPLETE]) ||
         (!recorder_wants(r, m->from) && !recorder_wants(r, m->to)))
@@ -213,22 +224,25 @@ void recorder_message(struct recorder *r, const struct recorded_message *m)
     for (int i = 0; i < MESSAGE_TIMES; i++)
         if (m->times[i] != VT_NEVER)
             flags |= (uint64_t)MESSAGE_FIRST_TIME << i;
-    pack_kind(p, RECORD_MESSAGE);
-    pack(p, m->source);
-    pack(p, m->order);
-    pack(p, m->from);
-    pack(p, m->to);
-    pack(p, flags);
-    pack_signed(p, m->type);
-    pack(p, m->bytes);
+    uint8_t *at = packer_room(r->packer, MOST_NUMBERS);
+    put(&at, RECORD_MESSAGE);
+    put(&at, m->source);
+    put(&at, m->order);
+    put(&at, m->from);
+    put(&at, m->to);
+    put(&at, flags);
+    put_signed(&at, m->type);
+    put(&at, m->bytes);
     if (m->pid)
-        pack_signed(p, m->pid);
-    pack_time(p, &r->last_sent, m->sent);
+        put_signed(&at, m->pid);
+    put_time(&at, &r->last_sent, m->sent);
     vtime last = m->sent;
     for (int i = 0; i < MESSAGE_TIMES; i++)
         if (m->times[i] != VT_NEVER)
-            pack_signed(p, (int64_t)(m->times[i] - last)), last = m->times[i];
-    pack_blocks(p, m);
+            put_signed(&at, (int64_t)(m->times[i] - last)), last = m->times[i];
+    put(&at, m->block_count);
+    packer_wrote(r->packer, at);
+    pack_blocks(r->packer, m);
 }
 
 void recorder_no_program(struct recorder *r, uint32_t address, vtime t)
@@ -242,7 +256,7 @@ void recorder_no_program(struct recorder *r, uint32_t address, vtime t)
 
 void recorder_node_end(struct recorder *r, uint32_t address, vtime t)
 {
-    pack_kind(r->packer, RECORD_NODE_END);
+    pack(r->packer, RECORD_NODE_END);
     pack(r->packer, address);
     pack(r->packer, t);
 }

@@ -21,8 +21,10 @@ static void numbers_come_back(void **state)
     FILE *f = tmpfile();
     (void)state;
     struct packer *p = packer_new(f);
+    uint8_t *at = packer_room(p, sizeof SIGNED / sizeof *SIGNED);
     for (size_t i = 0; i < sizeof SIGNED / sizeof *SIGNED; i++)
-        pack_signed(p, SIGNED[i]);
+        put_signed(&at, SIGNED[i]);
+    packer_wrote(p, at);
     for (uint64_t n = 0; n < 200000; n++) /* more than a block of the stream */
         pack(p, n * n * n);
     pack(p, UINT64_MAX);
