@@ -114,13 +114,26 @@ static bool waits_for_ended(const struct waitfor *w, const struct waitfor_node *
     return n->who == WAITFOR_NOBODY && n->what == WAITFOR_MESSAGE;
 }
 
+/* In a collective of MPI's, is the awaited rank still to come to the step that its message is of? What other
+ * ranks have sent is then for later steps, and no fault. */
+static bool is_late_in_collective(const struct waitfor *w, const struct waitfor_node *n)
+{
+    if (n->what != WAITFOR_MESSAGE || !waitfor_is_collective(n->select.pid) || n->who != WAITFOR_ONE_NODE)
+        return false;
+    const struct waitfor_node *whom = &w->nodes[n->whom];
+    return !waitfor_lives(whom) ||
+           (whom->state == WAITFOR_WAITS && whom->what == WAITFOR_MESSAGE &&
+            whom->select.pid == n->select.pid && whom->select.typesel == n->select.typesel);
+}
+
 /* --- the cause --- */
 
 static enum waitfor_cause local_cause(const struct waitfor *w, const struct waitfor_node *n, bool some_ended)
 {
     if (is_handler_due(n))
         return WAITFOR_MASKED;
-    enum waitfor_cause c = n->what == WAITFOR_MESSAGE && !n->operation ? of_mailbox(n) : WAITFOR_CAUSES;
+    bool shows = n->what == WAITFOR_MESSAGE && !n->operation && !is_late_in_collective(w, n);
+    enum waitfor_cause c = shows ? of_mailbox(n) : WAITFOR_CAUSES;
     if (c == WAITFOR_CAUSES && waits_for_ended(w, n, some_ended))
         c = WAITFOR_NODE_HAS_ENDED;
     return c == WAITFOR_CAUSES && n->what == WAITFOR_BUFFER ? WAITFOR_BUFFERS_FULL : c;

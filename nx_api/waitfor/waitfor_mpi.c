@@ -9,14 +9,14 @@ bool waitfor_is_mpi(long pid)
     return pid >= FIRST_CONTEXT;
 }
 
-static bool is_collective(long pid)
+bool waitfor_is_collective(long pid)
 {
-    return (pid - FIRST_CONTEXT) & 1;
+    return waitfor_is_mpi(pid) && (pid - FIRST_CONTEXT) & 1;
 }
 
 const char *waitfor_mpi_type(long pid)
 {
-    return is_collective(pid) ? "collective" : "tag";
+    return waitfor_is_collective(pid) ? "collective" : "tag";
 }
 
 void waitfor_print_communicator(FILE *f, long context)
@@ -30,7 +30,7 @@ void waitfor_print_communicator(FILE *f, long context)
 
 void waitfor_print_mpi(FILE *f, const struct waitfor *w, long tag, long node, long pid)
 {
-    bool collective = is_collective(pid);
+    bool collective = waitfor_is_collective(pid);
     if (collective)
         fprintf(f, "a message of collective %ld", tag);
     else if (tag < 0)
@@ -45,7 +45,10 @@ void waitfor_print_mpi(FILE *f, const struct waitfor *w, long tag, long node, lo
 
 const char *waitfor_mpi_remedy(const struct waitfor_node *n)
 {
-    if (is_collective(n->select.pid))
+    if (waitfor_is_collective(n->select.pid) && n->cause == WAITFOR_NODE_HAS_ENDED)
+        return "Before its program ends, each rank has to call all collectives of its communicators, and "
+               "MPI_Finalize.";
+    if (waitfor_is_collective(n->select.pid))
         return "All ranks of a communicator have to call its collectives, in the same order: touchstone run "
                "--mpi-checks names those that differ.";
     switch (n->cause) {

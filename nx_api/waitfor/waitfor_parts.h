@@ -13,6 +13,9 @@ FILE *waitfor_stream(char **text, size_t *size);
 bool waitfor_type_selected(long typesel, long type);
 bool waitfor_selects(const struct waitfor_select *s, long type, long from, long pid);
 
+/* Of MPI's: is this process type that of a communicator's collectives? */
+bool waitfor_is_collective(long pid);
+
 /* For people: "type 7", "any type", "one of the types 3, 5"; "node 3", "any node", "the host". */
 void waitfor_print_typesel(FILE *f, long typesel);
 /* Of MPI's: is this process type a communicator's? A message's tag, communicator and sender; what to do about

@@ -24,6 +24,8 @@ int main(int argc, char **argv)
     }
     if (strcmp(how, "wait") == 0 && rank == 1)
         MPI_Recv(&x, 1, MPI_INT, 0, 5, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    if (strcmp(how, "end") == 0 && rank == 0)
+        return 0;
     MPI_Finalize();
     return 0;
 }
