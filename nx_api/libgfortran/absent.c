@@ -29,13 +29,6 @@ NEVER(enqueue_done)
 NEVER(enqueue_done_id)
 NEVER(enqueue_transfer)
 
-/* OPEN would duplicate a descriptor that it got for a file below 3, which a node's open never answers. */
-__attribute__((visibility("hidden"))) int dup(int fd);
-int dup(int fd)
-{
-    return fd;
-}
-
 /* --- REAL(16): its output and input --- */
 
 int quadmath_snprintf(char *buf, size_t size, const char *format, ...);

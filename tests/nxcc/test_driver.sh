@@ -103,6 +103,12 @@ check "ar860: the l of that time, for temporary files, is left out" archive
 main_in_archive() { "$NXCC" -c hello.c other.c && rm -f libmain.a && ar q libmain.a hello.o other.o && "$NXCC" -o hello libmain.a; }
 check "main may be in an archive" main_in_archive
 check "ar860: other letters and options are ar's" eval "bin860/ar860 t libother.a | grep -qx other.o && bin860/ar860 --help >said"
+hidden() { # names of the node that a library which is linked before it would take over
+    node=$(dirname "$NXCC")/node
+    nm -D --defined-only "$node/libnode.so" | awk '{ print $3 }' | sort -u >names
+    nm -g --defined-only "$node"/lib{gfortran,xdr,mpi}.a | awk 'NF == 3 && $2 ~ /[TDBRC]/ { print $3 }' | sort -u | comm -12 names -
+}
+check "no library hides a call of the node's" eval '[ -z "$(hidden)" ] && [ -s names ]'
 host_program() { echo '#include <cube.h>
 main() { setpid(100); getcube("c", "2", "", 0); relcube("c"); }' >host.c && bin860/cc -host -o host host.c >said 2>&1 && [ ! -s said ]; }
 check "cc compiles the host program of a makefile, without warnings of old C" host_program
