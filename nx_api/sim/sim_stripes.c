@@ -87,18 +87,23 @@ int node_fcntl(int fd, int what, ...)
     va_list ap;
     va_start(ap, what);
     void *argument = nx_is_of_stripes(what) || is_lock(what) ? va_arg(ap, void *) : NULL;
-    int least = what == F_DUPFD ? va_arg(ap, int) : 0;
+    int number = what == F_DUPFD || what == F_SETFL ? va_arg(ap, int) : 0;
     va_end(ap);
     if (nx_is_of_stripes(what))
         return nx_stripes_control(fd, what, argument);
     if (what == F_DUPFD)
-        return descriptor_copy_free(node_self(), fd, least);
-    if (!descriptor_file(node_self(), fd))
+        return descriptor_copy_free(node_self(), fd, number);
+    struct node_file *f = descriptor_file(node_self(), fd);
+    if (!f)
         return -1;
     if (is_lock(what))
         return lock(what, argument);
     if (what == F_GETFD || what == F_SETFD)
         return 0;
+    if (what == F_GETFL)
+        return file_flags(f);
+    if (what == F_SETFL)
+        return file_set_flags(f, number);
     errno = EINVAL;
     return -1;
 }

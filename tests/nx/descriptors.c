@@ -195,6 +195,18 @@ static int folders(void)
     return holds && fails(rmdir(other), ENOENT);
 }
 
+static int flags(const char *path)
+{
+    int fd = open(path, O_RDWR | O_CREAT | O_APPEND, 0600), reading = open(path, O_RDONLY), copy = dup(fd);
+    int good = (fcntl(fd, F_GETFL) & O_ACCMODE) == O_RDWR && fcntl(fd, F_GETFL) & O_APPEND;
+    good = good && (fcntl(reading, F_GETFL) & (O_ACCMODE | O_APPEND | O_NONBLOCK)) == O_RDONLY;
+    good = good && fcntl(fd, F_SETFL, fcntl(fd, F_GETFL) | O_NONBLOCK) == 0;
+    good = good && (fcntl(copy, F_GETFL) & (O_APPEND | O_NONBLOCK)) == (O_APPEND | O_NONBLOCK);
+    good =
+        good && close(fd) == 0 && close(copy) == 0 && close(reading) == 0 && fails(fcntl(fd, F_GETFL), EBADF);
+    return unlink(path) == 0 && good;
+}
+
 int main(void)
 {
     snprintf(name, sizeof name, "descriptors.tmp%ld", mynode());
@@ -210,6 +222,7 @@ int main(void)
     rule("a file is no terminal", no_terminal());
     rule("duplicates", duplicates(name, other));
     rule("duplicates of files of the CFS", duplicates(cfs_name, cfs_other) && of_the_cfs());
+    rule("flags, which duplicates share", flags(other) && flags(cfs_other));
     rule("streams of descriptors", streams());
     rule("standard streams follow their descriptors", redirected());
     rule("temporary files", temporary_names());

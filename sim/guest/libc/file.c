@@ -77,12 +77,12 @@ static const struct node_file_class HOST_FILE = {.read = host_read,
                                                  .truncate = host_truncate,
                                                  .close = host_close};
 
-struct node_file *file_of_host(struct node *n, int fd)
+struct node_file *file_of_host(struct node *n, int fd, int flags)
 {
     if (fd < 0)
         return NULL;
     struct host_file *f = xmalloc(sizeof *f);
-    *f = (struct host_file){{.class = &HOST_FILE, .node = n}, fd};
+    *f = (struct host_file){{.class = &HOST_FILE, .node = n, .flags = flags}, fd};
     return &f->base;
 }
 
@@ -198,11 +198,13 @@ static bool is_on_host(struct node *n, const char **path)
 struct node_file *file_open(struct node *n, const char *path, int flags, mode_t permissions)
 {
     if (is_on_host(n, &path))
-        return file_of_host(n,
-                            host_answer(n, fence_open(n->sys->fence, path, flags | O_CLOEXEC, permissions)));
+        return file_of_host(
+            n, host_answer(n, fence_open(n->sys->fence, path, flags | O_CLOEXEC, permissions)), flags);
     bool masked = enter(n, "open");
     struct node_file *f = fs_of(n)->open(fs_of(n)->ctx, n, path, flags, permissions);
     leave(n, masked);
+    if (f)
+        f->flags = flags;
     return f;
 }
 
@@ -211,7 +213,22 @@ struct node_file *file_open_temporary(struct node *n, const char *path, int flag
     if (!is_on_host(n, &path))
         return file_open(n, path, flags | O_RDWR | O_CREAT | O_EXCL, 0600);
     int fd = fence_open_temporary(n->sys->fence, path, flags | O_RDWR | O_CLOEXEC);
-    return file_of_host(n, host_answer(n, fd));
+    return file_of_host(n, host_answer(n, fd), flags | O_RDWR);
+}
+
+int file_flags(const struct node_file *f)
+{
+    return f->flags & (O_ACCMODE | O_APPEND | O_NONBLOCK | O_SYNC);
+}
+
+int file_set_flags(struct node_file *f, int to)
+{
+    if ((to ^ f->flags) & O_APPEND) {
+        errno = EINVAL;
+        return -1;
+    }
+    f->flags = (f->flags & ~O_NONBLOCK) | (to & O_NONBLOCK);
+    return 0;
 }
 
 ssize_t file_read(struct node_file *f, void *buf, size_t bytes)

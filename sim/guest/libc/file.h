@@ -41,6 +41,7 @@ struct node_file {
     const struct node_file_class *class;
     struct node *node;
     unsigned more; /* descriptors that are open on the file beside the first: dup() */
+    int flags;     /* of open() */
 };
 
 /* The machine's file system. Paths are absolute ("/cfs/..."). */
@@ -58,8 +59,13 @@ struct node_file *file_open(struct node *n, const char *path, int flags, mode_t 
 /* Makes a new file as by O_RDWR | O_CREAT | O_EXCL. Unlike others, the file may also be in this computer's
  * folder for temporary files. */
 struct node_file *file_open_temporary(struct node *n, const char *path, int flags);
-/* A file of this computer that is open already as fd; NULL if fd is negative. The file owns fd. */
-struct node_file *file_of_host(struct node *n, int fd);
+/* A file of this computer that is open already as fd, by these flags; NULL if fd is negative. The file owns
+ * fd. */
+struct node_file *file_of_host(struct node *n, int fd, int flags);
+/* As fcntl(fd, F_GETFL), and F_SETFL: of O_NONBLOCK, which changes nothing, as files never wait for others.
+ * EINVAL if O_APPEND would change. */
+int file_flags(const struct node_file *f);
+int file_set_flags(struct node_file *f, int to);
 ssize_t file_read(struct node_file *f, void *buf, size_t bytes);
 /* Writes all bytes unless there is an error. */
 ssize_t file_write(struct node_file *f, const void *buf, size_t bytes);

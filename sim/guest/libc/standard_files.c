@@ -111,7 +111,7 @@ void standard_input(struct standard_file *f, struct node *n)
                                                  .stat = stat_terminal,
                                                  .truncate = truncate_terminal,
                                                  .close = in_close};
-    *f = (struct standard_file){{.class = &INPUT, .node = n}, -1};
+    *f = (struct standard_file){{.class = &INPUT, .node = n, .flags = O_RDONLY}, -1};
     if (n->id == 0 || n->is_host)
         f->fd = fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3);
 }
@@ -125,5 +125,5 @@ void standard_output(struct standard_file *f, struct node *n, int fd)
                                                   .stat = stat_terminal,
                                                   .truncate = truncate_terminal,
                                                   .close = out_close};
-    *f = (struct standard_file){{.class = &OUTPUT, .node = n}, fd};
+    *f = (struct standard_file){{.class = &OUTPUT, .node = n, .flags = O_WRONLY}, fd};
 }

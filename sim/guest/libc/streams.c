@@ -253,7 +253,7 @@ FILE *stream_tmpfile(struct streams *list, struct node *n)
     int fd = mkostemp(path, O_CLOEXEC);
     if (fd >= 0)
         unlink(path);
-    return file_of(list, n, file_of_host(n, fd), path, "w+");
+    return file_of(list, n, file_of_host(n, fd, O_RDWR), path, "w+");
 }
 
 FILE *stream_fdopen(struct streams *list, struct node *n, int fd, const char *mode)
