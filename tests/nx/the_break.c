@@ -9,6 +9,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "rule.h"
 
 char *sbrk();
@@ -36,7 +37,7 @@ static int sets_the_end(void)
 static int malloc_raises_it(void)
 {
     char *block = malloc(20000);
-    int good = (char *)sbrk(0) - begin >= 20000 && sbrk(10) > block;
+    int good = sbrk(0) - begin >= 20000 && sbrk(10) > block;
     free(block);
     return good;
 }

@@ -11,7 +11,8 @@
  *     parameters that one of the two leaves out                      long csendrecv();
  *
  * then the header's type holds, and calls are checked against it. Any other difference stays an error. A
- * function that the program defines itself is left alone.
+ * function that the program defines itself is left alone. But what the program points at by `char *sbrk();`
+ * holds: it subtracts the results.
  *
  * GCC asks the target for the attributes of each declaration just before it compares the declaration with
  * earlier ones. Only then can the type of a declaration be changed.
@@ -84,6 +85,22 @@ bool by_header(tree decl)
     return in_header(decl) || from_header.count(IDENTIFIER_POINTER(DECL_NAME(decl)));
 }
 
+bool points_at_void(tree type)
+{
+    return POINTER_TYPE_P(type) && VOID_TYPE_P(TREE_TYPE(type));
+}
+
+/* The header's type, with the program's result where that says what a pointer to void points at. (GCC knows
+ * the results of its built-in functions itself.) */
+tree type_that_holds(tree header, tree program)
+{
+    tree of_header = TREE_TYPE(TREE_TYPE(header)), of_program = TREE_TYPE(TREE_TYPE(program));
+    if (fndecl_built_in_p(header) || fndecl_built_in_p(program) || !points_at_void(of_header) ||
+        !POINTER_TYPE_P(of_program))
+        return TREE_TYPE(header);
+    return build_function_type(of_program, TYPE_ARG_TYPES(TREE_TYPE(header)));
+}
+
 /* Gives the program's declaration the header's type, if one of the two is a header's and the types are
  * alike. */
 void reconcile(tree old, tree fresh)
@@ -92,8 +109,8 @@ void reconcile(tree old, tree fresh)
     bool fresh_holds = !by_header(old) && in_header(fresh);
     if ((!old_holds && !fresh_holds) || !alike(TREE_TYPE(old), TREE_TYPE(fresh)))
         return;
-    tree program = old_holds ? fresh : old;
-    TREE_TYPE(program) = TREE_TYPE(old_holds ? old : fresh);
+    tree program = old_holds ? fresh : old, header = old_holds ? old : fresh;
+    TREE_TYPE(program) = TREE_TYPE(header) = type_that_holds(header, program);
     DECL_ARGUMENTS(program) = NULL_TREE;
 }
 
