@@ -35,7 +35,7 @@ char *program_file_find(const char *name, const char *here, const char *brought,
         return path;
     }
     *error = whole ? xasprintf("there is no program %s", path)
-                   : xasprintf("there is neither a program %s nor %s", path, other);
+                   : xasprintf("there is no program %s, nor touchstone's own %s", path, other);
     free(path);
     free(other);
     return NULL;

@@ -15,7 +15,7 @@ has() { grep -qF -- "$1" out; }
 plain() { ! grep -q $'\033' out; }
 
 on_terminal xterm "run nowhere"
-check "an error is red" has "${red}touchstone run:$off there is neither"
+check "an error is red" has "${red}touchstone run:$off there is no program"
 on_terminal dumb "run nowhere"
 check "TERM=dumb: no colour" plain
 NO_COLOR=1 on_terminal xterm "run nowhere"
@@ -25,7 +25,7 @@ check "mpirun's terminals: no colour" plain
 "$BUILD/touchstone" run nowhere >out 2>&1
 check "piped: no colour" plain
 CLICOLOR_FORCE=1 "$BUILD/touchstone" run nowhere >out 2>&1
-check "CLICOLOR_FORCE: colour, also piped" has "${red}touchstone run:$off there is neither"
+check "CLICOLOR_FORCE: colour, also piped" has "${red}touchstone run:$off there is no program"
 NO_COLOR=1 CLICOLOR_FORCE=1 "$BUILD/touchstone" run nowhere >out 2>&1
 check "NO_COLOR is the stronger" plain
 

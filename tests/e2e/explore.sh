@@ -133,7 +133,7 @@ check "--same picks the lines" ended_with 0
 explore wrong -n 1 --runs 5 --same '(' same
 check "a wrong expression is told" said "^touchstone explore: --same '\('"
 explore wrong -n 1 --runs 5 missing
-check "a missing program is told" said '^touchstone explore: there is neither a program missing nor '
+check "a missing program is told" said '^touchstone explore: there is no program missing, nor '
 
 # --- a file that the program writes, here and in /cfs ---
 sed 's|printf("sum %ld.n", sum);|{ FILE *f = fopen(NAME, "w"); fprintf(f, "%d\\n", (int)infonode()); fclose(f); }|' same.c >file.c

@@ -21,14 +21,14 @@ check "run: no word of it" test "$(grep -c "$came" err)" = 0
 installed run -v -n 2 app/model -help
 check "run -v: where it is" said "^app/model is not here: it is .*/lib/touchstone/app/model"
 installed run app/nothing
-check "run: where it was looked for" said "neither a program app/nothing nor .*/lib/touchstone/app/nothing"
+check "run: where it was looked for" said "no program app/nothing, nor touchstone's own .*/lib/touchstone/app/nothing"
 check "run: status" ended_with 65
 installed run /app/model
 check "run: a whole path is that file" said "there is no program /app/model"
 installed run --host app/nothing app/model
-check "run --host: the same rule" said "neither a program app/nothing nor"
+check "run --host: the same rule" said "no program app/nothing, nor touchstone's own"
 installed explore app/nothing
-check "explore: where it was looked for" said "neither a program app/nothing nor .*/lib/touchstone/app/nothing"
+check "explore: where it was looked for" said "no program app/nothing, nor touchstone's own .*/lib/touchstone/app/nothing"
 installed explore --runs 3 -n 2 app/model -help
 check "explore: a program that comes with touchstone" ended_with 0
 cat >here/s.cfg <<'CFG'

@@ -68,7 +68,7 @@ check "no such file" ended_with 65
 check "is said" said '^touchstone study: none.cfg: cannot be read'
 sed -i 's/"halves"/"quarters"/' halves.cfg
 study halves.cfg
-check "no such program" said '^touchstone study: halves.cfg:2: program: there is neither .*/quarters nor'
+check "no such program" said '^touchstone study: halves.cfg:2: program: there is no program .*/quarters, nor'
 study
 check "no file given" ended_with 64
 study --help
