@@ -38,6 +38,11 @@ promises "ring" -m ipsc860 -n 16 ring
 why t.trace
 check "ring: the sentences come first" eval "head -1 out | grep -q '^ring took [0-9.]* ms on 16 nodes of ipsc860\.'"
 check "ring: its cause is the network" prints 'the largest cause is the network'
+check "a program as old as the run: no warning" eval '[ ! -s err ]'
+touch ring
+why t.trace
+check "a program that is younger than its trace is named" eval "grep -q '^touchstone trace why: .*/ring is younger than t.trace: ' err && [ \$status = 0 ]"
+touch -r t.trace ring
 check "ring: where nodes waited" prints 'in crecv at ring.c:15 \(main\), for types 1 to 12 of several nodes, from csend at ring.c:17 \(main\)'
 why --json - t.trace
 check "ring: nothing is unknown" eval "grep -q '\"unknown\": 0' out"

@@ -133,6 +133,7 @@ static int write_trace(const struct arguments *a)
         return failed(CLI_EXIT_INPUT, error);
     if (!t->complete)
         cli_say_warning("trace export", "%s ends early: its run was stopped", a->trace);
+    cli_trace_warn("trace export", t, a->trace);
     bool ok = export_write(t, &a->request, &error);
     trace_free(t);
     return ok ? 0 : failed(1, error);

@@ -290,6 +290,7 @@ static bool read_run(const struct arguments *a, struct run *r, char **error)
     stage(NULL, NULL);
     if (!r->trace)
         return false;
+    cli_trace_warn("trace show", r->trace, r->path);
     r->show.trace = r->trace;
     r->show.densest = !a->select.from && !a->select.to && !r->show.most_lines && !a->other.path;
     r->show.label = a->other.path ? basename(r->path) : NULL;

@@ -115,8 +115,10 @@ static struct why *why_of(const char *path, const struct trace_selection *select
 {
     char *error = NULL;
     struct trace *t = trace_load(path, &(struct trace_selection){select->from, select->to, NULL, 0}, &error);
-    if (t && t->to > t->from)
+    if (t && t->to > t->from) {
+        cli_trace_warn("trace why", t, path);
         return why_new(t, &(struct wait_nodes){select->nodes, select->node_count});
+    }
     failed(error ? error : xasprintf("%s: nothing of the run lies in that time", path), 0);
     trace_free(t);
     return NULL;

@@ -219,6 +219,10 @@ bool spec_read_axes(struct cfg_reader *r, struct spec *s)
 {
     config_setting_t *list;
     s->product = 1;
+    if (!config_setting_get_member(r->root, "axes"))
+        return cfg_fail(r, r->root, "axes",
+                        "missing: axes = ( { name = \"nodes\"; values = ( 1, 2, 4 ); } ); is a study of "
+                        "1, 2 and 4 nodes");
     if (!cfg_list(r, r->root, "axes", &list))
         return false;
     int count = config_setting_length(list);

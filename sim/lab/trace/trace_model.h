@@ -201,6 +201,10 @@ struct trace_frame {
     bool layer;           /* of the message layer that the run was given */
 };
 
+/* The file of a program of the run that is younger than the trace, whose path is given: functions and lines
+ * are looked up in it, but may be of another program. NULL: there is none. */
+const char *trace_younger_program(const struct trace *t, const char *path);
+
 /* The frames of a stack, innermost first, found when first asked for; *count of them. The program's file must
  * still be there: otherwise no frames. */
 const struct trace_frame *trace_stack(const struct trace *t, int32_t stack, int *count);

@@ -2,6 +2,7 @@
  * functions and source lines, which are looked up in the programs' files when first asked for. */
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include "guest/elffile.h"
 #include "guest/layer.h"
 #include "kernel/xalloc.h"
@@ -94,6 +95,27 @@ void trace_stacks_add(struct trace_stacks *s, int program, const int64_t *offset
     *k = (struct stack){.program = program, .depth = depth};
     k->offsets = xcalloc((size_t)depth, sizeof *k->offsets);
     memcpy(k->offsets, offsets, (size_t)depth * sizeof *offsets);
+}
+
+static bool is_younger(const char *path, const struct timespec *than)
+{
+    struct stat st;
+    if (stat(path, &st))
+        return false;
+    const struct timespec *at = &st.st_mtim;
+    return at->tv_sec > than->tv_sec || (at->tv_sec == than->tv_sec && at->tv_nsec > than->tv_nsec);
+}
+
+const char *trace_younger_program(const struct trace *t, const char *path)
+{
+    const struct trace_stacks *s = t->stacks;
+    struct stat st;
+    if (stat(path, &st))
+        return NULL;
+    for (int i = 0; i < s->program_count; i++)
+        if (is_younger(s->programs[i].path, &st.st_mtim))
+            return s->programs[i].path;
+    return NULL;
 }
 
 /* --- looking up --- */
