@@ -23,8 +23,4 @@ int cli_trace_info(int argc, char **argv);
 int cli_trace_show(int argc, char **argv);
 int cli_trace_export(int argc, char **argv);
 int cli_trace_why(int argc, char **argv);
-
-struct trace;
-/* Warns if a program has been compiled since the trace was made. */
-void cli_trace_warn(const char *command, const struct trace *t, const char *path);
 #endif

@@ -120,16 +120,6 @@ static int write_info(const struct trace *t, const char *json)
     return error ? cli_failed("trace info", error, CLI_EXIT_INPUT) : 0;
 }
 
-void cli_trace_warn(const char *command, const struct trace *t, const char *path)
-{
-    const char *program = trace_younger_program(t, path);
-    if (program)
-        cli_say_warning(command,
-                        "%s is younger than %s: functions and lines are those of the trace only if the "
-                        "program was not changed",
-                        program, path);
-}
-
 int cli_trace_info(int argc, char **argv)
 {
     static const struct argp_child CHILDREN[] = {{&CLI_TRACE_SELECTION, 0, NULL, 0}, {0}};

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "lab/commands/lab_commands.h"
+#include "lab/commands/trace_warning.h"
 #include "cli/say.h"
 #include "cli/trace_options.h"
 #include "kernel/xalloc.h"

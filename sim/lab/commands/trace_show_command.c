@@ -4,6 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "lab/commands/lab_commands.h"
+#include "lab/commands/trace_warning.h"
 #include "cli/nearest.h"
 #include "cli/say.h"
 #include "cli/trace_options.h"

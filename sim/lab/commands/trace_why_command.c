@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "lab/commands/lab_commands.h"
+#include "lab/commands/trace_warning.h"
 #include "cli/installation.h"
 #include "cli/program_options.h"
 #include "lab/commands/run_again.h"
