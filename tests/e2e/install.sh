@@ -81,6 +81,7 @@ check "what simulates loads no library for drawing" only_lab_draws
 check "what runs on the host has no debugging information" no_debugging
 no_path() { ! grep -rlF "$stage" "$stage/opt/nx"; }
 check "no file names DESTDIR" no_path
+check "the editor's configuration starts this touchstone" grep -q '"program": "/opt/nx/bin/touchstone"' "$stage/opt/nx/share/touchstone/editor/launch.json"
 
 mv "$stage/opt/nx" moved
 cp "$tests/ring.c" "$tests/crash.c" .
