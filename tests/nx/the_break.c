@@ -1,9 +1,7 @@
 /* sbrk and brk: memory of the program's own beside malloc's, whose blocks raise the break, too.
  * simulator only: a cluster's own malloc does not move the break
  * compile: -w
- * again: --long32
- * again: --asan
- * again: --races
+ * again: --long32 --asan
  * run: all
  */
 #include <errno.h>
