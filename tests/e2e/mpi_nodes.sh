@@ -10,6 +10,8 @@ check "mpicc compiles" bin/mpicc -O2 -g -Wall -o mpi_nodes "$tests/mpi_nodes.c"
 asked() { bin/mpif90 "$1" >answer && [ "$(cat answer)" = "$2" ]; }
 check "build systems that ask what is behind mpif90 are told mpif90" asked -show bin/mpif90
 check "with no options" asked -showme:compile ""
+"$BUILD/nxcc" -O2 -o again "$tests/mpi_nodes.c" 2>err
+check "nxcc alone says what it needs for MPI" said '^nxcc: nodes do not have .*: -lmpi links'
 check "nxcc -lmpi is the same" "$BUILD/nxcc" -O2 -g -Wall -o again "$tests/mpi_nodes.c" -lmpi
 check "and gives the same program" cmp mpi_nodes again
 
