@@ -18,6 +18,11 @@ has_two() { [ "$(cat again/journal 2>/dev/null | grep -c ' d {')" -ge 2 ]; }
 awaited has_two
 kill -9 $!
 wait $! 2>/dev/null
+"$BUILD/touchstone" tables -t 1 -o again -j 2 >out 2>err &
+awaited pgrep -P $! >children
+kill -TERM $!
+wait $! 2>/dev/null
+check "stopped, it says so, and calls no run failed" bash -c '! grep -q killed out err && grep -q "stopped; the same command goes on" err'
 # In place of gnuplot: keeps the script.
 mkdir bin
 printf '#!/bin/sh\ncp "$1" %s/plot\n' "$work" >bin/gnuplot
@@ -38,4 +43,5 @@ check "the speed-up's residual is that of T(1) / T(N)" awk '$1 == "$data" { on =
     on && ($7 - 100 * ($4 / $5 - 1)) ^ 2 > 1e-10 { bad = 1 } on { n++ } END { exit bad || n != 8 }' plot
 check "text and picture have one word for what was simulated" \
     bash -c 'grep -q "^ *nodes *simulated *paper" out && grep -q "title .simulated.*title .paper" plot'
+check "the legend has fitted rows, and no predicted ones, as Table 1" bash -c 'grep -q "title .fitted" plot && ! grep -q predicted plot'
 check "in a panel with a line at 0" test "$(grep -c '^plot 0 with lines .*using 1:6' plot)" = 2

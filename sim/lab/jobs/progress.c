@@ -56,6 +56,8 @@ static void changed(void *arg, const struct pool_status *s)
     struct progress *p = arg;
     const struct pool_job *job = s->finished;
     struct progress_counts counts = {s->jobs, s->done, s->running, s->failed, 0, s->left_s};
+    if (job && job->stopped)
+        return; /* it did not fail; that all was stopped is said once, in the end */
     if (job)
         progress_ended(p, &counts, job->name, job->state == POOL_FAILED ? job->error : NULL,
                        job->wall_time_s);

@@ -145,6 +145,15 @@ static void write_lower(unsigned left, const struct scale *y, unsigned column, F
             column, column);
 }
 
+static bool has_rows(const struct result_table *t, bool fitted)
+{
+    for (size_t i = 0; i < t->table->count; i++)
+        if (t->rows[i].run->fitted == fitted)
+            return true;
+    return false;
+}
+
+/* Of predicted and fitted rows those that the table has. */
 static void write_legend(const struct result_table *t, FILE *script)
 {
     write_box(RIGHT, TOP, WIDTH - RIGHT, HEIGHT - TOP - 40, script);
@@ -157,9 +166,10 @@ static void write_legend(const struct result_table *t, FILE *script)
         "plot NaN with linespoints pt 7 ps 0.9 " SIMULATED " title 'simulated', "
         "NaN with points pt 4 ps 1.7 " PAPER " title 'paper', NaN " CHART_IDEAL " title 'ideal'\n"
         "set key at graph 0, first %.3f left top vertical Left reverse samplen 3 title 'residual' left\n"
-        "plot NaN with points pt 7 ps 1 " SIMULATED " title 'predicted', NaN with points pt 6 ps 1 " SIMULATED
-        " title 'fitted', NaN with lines " PAPER " title \"paper's rounding\"\n",
-        t->table->number, 1 - (BELOW - TOP) / (double)(HEIGHT - TOP - 40));
+        "plot %s%sNaN with lines " PAPER " title \"paper's rounding\"\n",
+        t->table->number, 1 - (BELOW - TOP) / (double)(HEIGHT - TOP - 40),
+        has_rows(t, false) ? "NaN with points pt 7 ps 1 " SIMULATED " title 'predicted', " : "",
+        has_rows(t, true) ? "NaN with points pt 6 ps 1 " SIMULATED " title 'fitted', " : "");
 }
 
 static void write_page(const struct result_table *t, const struct scales *s, bool svg, const char *dir,

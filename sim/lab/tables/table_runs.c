@@ -100,7 +100,8 @@ static void changed(void *arg, const struct pool_status *status)
         read_outcome(&d->runs[i], status->finished, d->commands[i].json);
         if (d->journal && !d->runs[i].outcome.error)
             runs_journal_add(d->journal, &d->runs[i]);
-        tell(d);
+        if (!status->finished->stopped) /* a table with what was stopped is none */
+            tell(d);
     }
 }
 
