@@ -182,6 +182,30 @@ static void a_page_is_written_as_often_as_asked(void **state)
     free_made(&trace);
 }
 
+/* A page is called by what it is about, not by files: once where several are of one run. */
+static void its_title_says_what_it_is_about(void **state)
+{
+    (void)state;
+    struct trace trace = late_trace(), other = late_trace();
+    trace.program = other.program = "/tmp/ring", trace.machine = "delta", other.machine = "paragon";
+    struct page *p = page_new();
+    char *page[3];
+    page_add_trace(p, "a", &trace);
+    write_page(p, NULL, &page[0]);
+    page_add_trace(p, "b", &trace);
+    write_page(p, NULL, &page[1]);
+    page_add_trace(p, "c", &other);
+    write_page(p, NULL, &page[2]);
+    assert_non_null(strstr(page[0], "<h1>ring on 2 nodes of delta</h1>"));
+    assert_non_null(strstr(page[1], "<h1>ring on 2 nodes of delta</h1>"));
+    assert_non_null(strstr(page[2], "<h1>ring on 2 nodes of delta and 1 more</h1>"));
+    for (int i = 0; i < 3; i++)
+        free(page[i]);
+    page_free(p);
+    free_made(&trace);
+    free_made(&other);
+}
+
 static uint64_t square(const void *of, size_t i)
 {
     return *(const uint64_t *)of * i * i;
@@ -229,6 +253,7 @@ int main(void)
         cmocka_unit_test(times_are_exact),
         cmocka_unit_test(names_are_no_markup),
         cmocka_unit_test(a_page_is_written_as_often_as_asked),
+        cmocka_unit_test(its_title_says_what_it_is_about),
         cmocka_unit_test(columns_follow_each_other),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

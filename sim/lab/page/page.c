@@ -78,15 +78,31 @@ static void write_text(const char *text, FILE *out)
     }
 }
 
+/* The page's items are often of one run: what is said once, of the first that says anything. */
+static char *made_title(const struct page *p)
+{
+    char *first = NULL, *title;
+    size_t others = 0;
+    for (size_t i = 0; i < p->count; i++) {
+        char *about = page_item_about(&p->items[i]);
+        others += first && about && strcmp(first, about) != 0;
+        if (!first)
+            first = about;
+        else
+            free(about);
+    }
+    if (!first && p->count)
+        first = xstrdup(p->items[0].name), others = p->count - 1;
+    title = others ? xasprintf("%s and %zu more", first, others) : xstrdup(first ? first : "touchstone");
+    free(first);
+    return title;
+}
+
 static void write_title(const struct page *p, const char *title, FILE *out)
 {
-    if (title || !p->count) {
-        write_text(title ? title : "touchstone", out);
-        return;
-    }
-    write_text(p->items[0].name, out);
-    if (p->count > 1)
-        fprintf(out, " and %zu more", p->count - 1);
+    char *made = title ? NULL : made_title(p);
+    write_text(title ? title : made, out);
+    free(made);
 }
 
 /* --- what the browser may do ---------------------------------------------------------------------------- */

@@ -179,6 +179,36 @@ bool page_item_read(struct page_item *item, const char *path, const struct trace
     return ok;
 }
 
+/* --- what it is about ----------------------------------------------------------------------------------- */
+
+static char *run_text(const char *program, json_int_t nodes, const char *machine)
+{
+    if (!program || !machine)
+        return NULL;
+    return xasprintf("%s on %" JSON_INTEGER_FORMAT " node%s of %s", basename(program), nodes,
+                     nodes == 1 ? "" : "s", machine);
+}
+
+/* Without the host, which is the last. */
+static int32_t nodes_of(const struct trace *t)
+{
+    return t->node_count - (t->node_count && !strcmp(t->nodes[t->node_count - 1].name, "host"));
+}
+
+char *page_item_about(const struct page_item *item)
+{
+    const struct trace *t = item->trace;
+    const json_t *j = item->json;
+    if (t)
+        return run_text(t->program, nodes_of(t), t->machine);
+    if (item->kind == PAGE_RUN)
+        return run_text(json_string_value(json_object_get(j, "program")),
+                        json_integer_value(json_object_get(j, "nodes")),
+                        json_string_value(json_object_get(j, "machine")));
+    const char *title = item->kind == PAGE_STUDY ? json_string_value(json_object_get(j, "title")) : NULL;
+    return title && *title ? xstrdup(title) : NULL;
+}
+
 void page_item_free(struct page_item *item)
 {
     free(item->name);

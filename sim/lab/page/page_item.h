@@ -36,5 +36,8 @@ bool page_item_read(struct page_item *item, const char *path, const struct trace
                     char **error);
 /* A browser's numbers hold 53 bits: a larger integer becomes a text of its digits. Takes over j. */
 json_t *page_json_within_53_bits(json_t *j);
+/* What it is about, in a few words, malloc'd: "ring on 4 nodes of delta", or a study's title. NULL: it does
+ * not say. */
+char *page_item_about(const struct page_item *item);
 void page_item_free(struct page_item *item);
 #endif
