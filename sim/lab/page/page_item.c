@@ -205,6 +205,8 @@ char *page_item_about(const struct page_item *item)
         return run_text(json_string_value(json_object_get(j, "program")),
                         json_integer_value(json_object_get(j, "nodes")),
                         json_string_value(json_object_get(j, "machine")));
+    if (item->kind == PAGE_TABLES)
+        return xstrdup("Tables of Bajaj & Lin");
     const char *title = item->kind == PAGE_STUDY ? json_string_value(json_object_get(j, "title")) : NULL;
     return title && *title ? xstrdup(title) : NULL;
 }

@@ -146,6 +146,8 @@ void results_print(const struct results *r, FILE *out)
     print_errors(out, &rows, true);
     fprintf(out, "  %zu runs that something was fitted to: ", fitted.rows);
     print_errors(out, &fitted, true);
+    if (!others.rows && !others.failed)
+        return;
     fprintf(out, "  %zu predicted: ", others.rows);
     print_errors(out, &others, true);
 }

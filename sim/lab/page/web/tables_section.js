@@ -125,7 +125,7 @@ function residuals(table, rows) {
         series: [
             {name: 'predicted', points: points(false), line: false},
             {name: 'fitted to', points: points(true), line: false, hollow: true}
-        ]
+        ].filter(s => s.points.length)
     }).figure;
 }
 
