@@ -35,7 +35,7 @@ if diff "$work/named" "$work/there"; then echo "ok RULES.md names the programs";
 compiled() { # NAME SOURCE OPTIONS...
     local modules=()
     [ "${2%.c}" != "$2" ] || modules=(-J "$work")
-    if ! compiled_once "$work/$1" nxcc -O2 -g "${modules[@]}" "${@:3}" "$PWD/$2" -lm 2>"$work/err"; then
+    if ! compiled_once "$work/$1" nxcc -O2 -g "${modules[@]}" "${@:3}" "$PWD/$2" 2>"$work/err"; then
         echo "not ok $1 ${*:3}: does not compile"
         cat "$work/err"
         false
@@ -62,7 +62,6 @@ run_all() { # NAME OPTIONS...: on its machines
 for source in tests/nx/*.c tests/nx/*.f tests/nx/*.f90; do
     name=$(basename "${source%.*}")
     options=$(sed -n 's/^[ cC!][ *]* compile: //p' "$source")
-    again=$(sed -n 's/^[ cC!][ *]* again: //p' "$source")
     expected=$PWD/tests/nx/$name.out
     [ -f "$expected" ] || expected=$work/first
     rm -f "$work/first"
@@ -70,6 +69,8 @@ for source in tests/nx/*.c tests/nx/*.f tests/nx/*.f90; do
     machines "$source" >"$work/runs"
     # shellcheck disable=SC2086
     compiled "$name" "$source" $options && run_all "$name"
-    # shellcheck disable=SC2086
-    [ -z "$again" ] || { compiled "$name" "$source" $options $again && run_all "$name" $again; }
+    while read -r again; do
+        # shellcheck disable=SC2086
+        compiled "$name" "$source" $options $again && run_all "$name" $again
+    done < <(sed -n 's/^[ cC!][ *]* again: //p' "$source")
 done

@@ -16,7 +16,7 @@ own()
 
 main()
 {
-    int good, work;
+    long good, work;
     good = open("no/such/file", 0) < 0 && errno == 2;
     errno = 5 + mynode();
     gsync();

@@ -4,6 +4,7 @@
  * run: all
  * compile: -w -fno-strict-aliasing
  * again: -O0
+ * again: -O1 --asan
  */
 #include <alloca.h>
 #include <setjmp.h>
