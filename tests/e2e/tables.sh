@@ -22,7 +22,8 @@ wait $! 2>/dev/null
 awaited pgrep -P $! >children
 kill -TERM $!
 wait $! 2>/dev/null
-check "stopped, it says so, and calls no run failed" bash -c '! grep -q killed out err && grep -q "stopped; the same command goes on" err'
+check "stopped by SIGTERM, it ends with 143" test $? = 143
+check "says so, and calls no run failed" bash -c '! grep -q killed out err && grep -q "stopped; the same command goes on" err'
 # In place of gnuplot: keeps the script.
 mkdir bin
 printf '#!/bin/sh\ncp "$1" %s/plot\n' "$work" >bin/gnuplot

@@ -68,6 +68,7 @@ static const char *choices; /* the file for the choices */
 static enum tables_end make(const unsigned *wanted, char **error)
 {
     FILE *out = fopen("said", "w"), *progress = fopen("progress", "w");
+    int signal = 0;
     assert_non_null(out);
     assert_non_null(progress);
     struct tables_options o = {.runner = "./stand-in",
@@ -78,7 +79,8 @@ static enum tables_end make(const unsigned *wanted, char **error)
                                .at_once = 2,
                                .choices = choices,
                                .out = out,
-                               .progress = progress};
+                               .progress = progress,
+                               .signal = &signal};
     enum tables_end end = tables_make(&o, error);
     fclose(out);
     fclose(progress);

@@ -38,11 +38,12 @@ static const char DOC[] =
     "Rows are kept in DIR/journal until all are there: after Ctrl-C or kill -9 the same command "
     "continues. DIR then has tables.json and a picture of each table.\n\n"
     "Exit status:\n"
-    "  0   every row is there\n"
-    "  1   a row or a picture failed; it is named, and all others are there\n"
-    "  64  wrong arguments\n"
-    "  65  the program or the paper's figures cannot be used, or the results not\n"
-    "      written\n\n"
+    "  0    every row is there\n"
+    "  1    a row or a picture failed; it is named, and all others are there\n"
+    "  64   wrong arguments\n"
+    "  65   the program or the paper's figures cannot be used, or the results not\n"
+    "       written\n"
+    "  128  and more: stopped by the signal of that number less 128\n\n"
     "Example:\n"
     "  touchstone tables -t 1,2 -o out/tables";
 
@@ -83,6 +84,7 @@ int cli_tables(int argc, char **argv)
     struct arguments a = {.dir = "out"};
     struct cli_installation places;
     char *error = NULL;
+    int signal = 0;
     cli_parse(&ARGP, "touchstone tables", 0, argc, argv, &a);
     if (!cli_find_installation(&places, "tables"))
         return CLI_EXIT_INPUT;
@@ -97,11 +99,12 @@ int cli_tables(int argc, char **argv)
                                      .report = a.report,
                                      .choices = a.choices,
                                      .out = stdout,
-                                     .progress = stderr};
+                                     .progress = stderr,
+                                     .signal = &signal};
     enum tables_end end =
         a.explain ? tables_explain(&options, a.explain, &error) : tables_make(&options, &error);
     if (end == TABLES_ERROR)
         cli_say_error("tables", "%s", error);
     free(error);
-    return end == TABLES_DONE ? 0 : end == TABLES_INCOMPLETE ? 1 : CLI_EXIT_INPUT;
+    return end == TABLES_DONE ? 0 : end == TABLES_INCOMPLETE ? 1 : signal ? 128 + signal : CLI_EXIT_INPUT;
 }

@@ -134,6 +134,7 @@ static bool do_in(const struct tables_options *o, const struct paper *paper, str
     free(d.which);
     free(d.commands);
     *wall_s += end.wall_time_s;
+    *o->signal = end.stopped;
     return !end.stopped;
 }
 

@@ -22,6 +22,7 @@ struct tables_options {
     const char *choices;    /* the file for the page of choices (choices.h); NULL: none */
     FILE *out;              /* for the tables */
     FILE *progress;         /* for progress and warnings */
+    int *signal;            /* set to the signal that stopped the runs, if one did */
 };
 
 enum tables_end {
