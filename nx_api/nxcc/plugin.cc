@@ -236,10 +236,11 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
     read_files(a);
     register_pass_info pass = {count_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
     register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &pass);
-    register_pass_info unset = {unset_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
-    register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &unset);
     if (a.races)
         register_races(info->base_name, a.before);
+    /* Clearing is no access of the program's, and asan makes locals live to the function's end. */
+    register_pass_info unset = {unset_make_pass(), a.before, 1, PASS_POS_INSERT_BEFORE};
+    register_callback(info->base_name, PLUGIN_PASS_MANAGER_SETUP, NULL, &unset);
     if (a.asan)
         register_asan(info->base_name, a.before);
     register_pass_info tsc = {tsc_make_pass(), "cfg", 1, PASS_POS_INSERT_AFTER};
