@@ -38,10 +38,10 @@ bool node_image_is_asan(const struct node_image *img);
 /* Bytes of text, data and bss in a node, page rounded. */
 size_t node_image_bytes(const struct node_image *img);
 
-/* Maps or copies the program to n->guest.program, relocates it and sets image, image_bytes, file and data of
- * n->guest. What exports.def names by DATA is where own_data finds it (node_libc_data). Returns false with
- * *error set (malloc'd) on failure. */
+/* The address of a node's own variable that exports.def names by DATA (node_libc_data). */
 typedef void *node_own_data(struct node *n, const char *name);
+/* Maps or copies the program to n->guest.program, relocates it and sets image, image_bytes, file and data of
+ * n->guest. Returns false with *error set (malloc'd) on failure. */
 bool node_image_map(const struct node_image *img, struct node *n, node_own_data *own_data, char **error);
 
 /* Names the program's message layer (guest/layer.h), whose patterns last as long as the image. */

@@ -186,6 +186,17 @@ static void a_point_is_called_by_its_axes(void **state)
     json_decref(none);
 }
 
+/* As compare_print() prints it: malloc'd. */
+static char *printed(const struct compare_point *p)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *f = open_memstream(&text, &size);
+    compare_print(p, f);
+    fclose(f);
+    return text;
+}
+
 #define PROFILE(mix, copies, idle)                                                                           \
     "{\"total_s\": " mix ", \"profile\": {\"functions\": ["                                                  \
     "{\"file\": \"x/a.c\", \"function\": \"mix\", \"others\": {\"seconds\": " mix "}}, "                     \
@@ -207,11 +218,7 @@ static void time_that_moved_is_told_by_function_first(void **state)
     assert_true(p->moves[0].after_s - p->moves[0].before_s == 2);
     assert_string_equal(p->moves[1].name, "mix (a.c)");
     assert_int_equal(p->moves[2].kind, COMPARE_IDLE);
-    char *text = NULL;
-    size_t size;
-    FILE *f = open_memstream(&text, &size);
-    compare_print(p, f);
-    fclose(f);
+    char *text = printed(p);
     assert_string_equal(text, "WORSE   s: nodes 2\n"
                               "  worse   total_s              1 -> 1.5 (+50.00 %, +0.5)\n"
                               "  where the time of all nodes of a class moved:\n"
@@ -228,11 +235,7 @@ static void changes_stand_in_one_column(void **state)
     (void)state;
     struct compare_point *p = compared("{\"total_s\": 1, \"slave_idle_spread_pct\": 2}",
                                        "{\"total_s\": 2, \"slave_idle_spread_pct\": 3}", NULL, false);
-    char *text = NULL;
-    size_t size;
-    FILE *f = open_memstream(&text, &size);
-    compare_print(p, f);
-    fclose(f);
+    char *text = printed(p);
     assert_string_equal(text, "WORSE   s: nodes 2\n"
                               "  worse   total_s               1 -> 2 (+100.00 %, +1)\n"
                               "          slave_idle_spread_pct 2 -> 3 (+50.00 %, +1)\n");

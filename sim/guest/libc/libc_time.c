@@ -105,7 +105,7 @@ clock_t node_times(struct tms *t)
 
 /* --- timers: they run, but their signals never come, as a program gets none but those that end it --- */
 
-/* What is left of a timer, in microseconds, when its clock shows `now`: what runs is not 0. */
+/* The microseconds that are left of a timer when its clock shows `now`. 0: it does not run. */
 static uint64_t timer_left(const struct node_timer *t, vtime now)
 {
     uint64_t passed = (now - t->from) / VT_MICROSECOND;

@@ -192,7 +192,7 @@ static char *run_text(const char *program, json_int_t nodes, const char *machine
 /* Without the host, which is the last. */
 static int32_t nodes_of(const struct trace *t)
 {
-    return t->node_count - (t->node_count && !strcmp(t->nodes[t->node_count - 1].name, "host"));
+    return t->node_count - (t->node_count && topo_is_host(&t->topo, t->nodes[t->node_count - 1].address));
 }
 
 char *page_item_about(const struct page_item *item)
