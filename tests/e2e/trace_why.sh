@@ -59,7 +59,7 @@ cp t.trace many.trace
 why many.trace
 check "served: node 0 decides" prints 'Node 0 decides how long the run takes'
 check "served: handlers are the cause" prints 'serving the others keeps node 0 from its own work: their messages take [0-9.]+ s, 7[0-9.]+ % of the run, the larger part of it in handlers'
-check "served: each request is one" prints '620 handlers took [0-9.]+ s \([0-9.]+ %\), mostly for (work or )?serve \([0-9.]+ s\); entering and leaving them took 0.062 s of it'
+check "served: each request is one" prints '620 handlers took [0-9.]+ s \([0-9.]+ %\), mostly for work \([0-9.]+ s\); entering and leaving them took 0.062 s of it'
 check "served: others wait for the handler" prints 'handler busy +in crecv at served.c:29 \((main|ask)\), for type 1 of node 0, from csend at served.c:21 \(serve\)'
 check "served: the file is waited for" prints 'disk +in cwrite at served.c:42 \(main\)'
 traced -m ipsc860 -n 2 served
@@ -73,9 +73,16 @@ check "--from, --to: a part" prints 'Only the part from 0.020 s to 0.030 s count
 # The function that worked, which made no call itself, not that of the next call.
 "$BUILD/nxcc" -O2 -g -o steps "$tests/steps.c" && traced -m delta -n 4 steps
 why t.trace
-check "steps: the function between two readings of the clock" prints 'computed, mostly in work \([0-9.]+ ms\) and tidy or read_clock \([0-9.]+ ms\)\.'
+check "steps: the function between two readings of the clock" prints 'computed, mostly in work \([0-9.]+ ms\) and tidy \([0-9.]+ ms\)\.'
 check "steps: shares are of the run, in sentences as in tables" prints '\(99\.7 %\) the program computed.* computing +[0-9.]+ +99\.70 '
 check "steps: it is the first of its table" eval 'grep -A1 "^Of the path, by function" out | grep -q "^  work "'
+check "steps: what works behind the last call, too" prints ' tidy +99\.[0-9]+ .* 5  '
+"$BUILD/nxcc" -O2 -g -o wrapped "$tests/wrapped.c" && traced -m delta -n 4 wrapped
+why t.trace
+check "wrapped: the function that works behind its call" prints 'computed, mostly in unpack \([0-9.]+ ms\)\.'
+traced -m delta -n 4 wrapped away
+why t.trace
+check "wrapped: the function that works between two calls of another" prints 'computed, mostly in grind \([0-9.]+ ms\)\.'
 
 # What if.
 run -q --json run.json -m ipsc860 -n 32 --set system.interrupt_us=0 served

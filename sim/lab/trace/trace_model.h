@@ -213,16 +213,17 @@ char *trace_communicator(int32_t pid);
 /* The innermost frame that is not the library's, and that reports name (guest/layer.h); NULL: none is
  * known. */
 const struct trace_frame *trace_place(const struct trace *t, int32_t stack);
-/* What a program may have worked in between two places, stacks of one node: `in`, the innermost function in
- * which it was at both (NULL: not known), and functions of its own that this one's code calls in between, be
- * that in a loop. These functions made no call of NX, else there would be a stack of it. before: TRACE_NONE:
- * the beginning of the program, or of the handler. */
-enum { TRACE_MOST_CALLED = 3 };
+/* What a program may have worked in between two places, stacks of one node: `in`, the innermost function that
+ * was at both and did not return in between (NULL: not known), and the functions that have a loop on the way,
+ * or are called there and have loops or calls: of `in`, of those that returned since the first place, and of
+ * those called until the second. before: TRACE_NONE: the beginning of the program, or of the handler; after:
+ * TRACE_NONE: its end. */
+enum { TRACE_MOST_WORKED = 4 };
 struct trace_between {
     const struct trace_frame *in;
-    const char *called[TRACE_MOST_CALLED];
+    const char *worked[TRACE_MOST_WORKED];
     int count;
-    bool more; /* it calls others, too */
+    bool more; /* there are others, too */
 };
 struct trace_between trace_between(const struct trace *t, int32_t before, int32_t after);
 /* What the program called: "csend", or the library's function that did it for the program: "gsync". */

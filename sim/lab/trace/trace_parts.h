@@ -32,6 +32,7 @@ void trace_connect(struct loading *l);
 enum trace_class trace_class_of(const char *call);
 
 /* trace_stacks.c */
+struct program_code;
 struct trace_stacks *trace_stacks_new(void);
 void trace_stacks_free(struct trace_stacks *s);
 /* A program of the run, whose path may be relative to the run's folder; numbered from 0. */
@@ -39,8 +40,9 @@ void trace_stacks_program(struct trace_stacks *s, const char *folder, const char
 int trace_stacks_programs(const struct trace_stacks *s);
 void trace_stacks_add(struct trace_stacks *s, int program, const int64_t *offsets, int depth);
 int trace_stacks_count(const struct trace_stacks *s);
-/* The program of a stack, which trace_stack() has opened; a frame of this program whose call returns to the
- * offset. */
+/* The program of a stack, which trace_stack() has opened; its code, read when first asked for; a frame of
+ * this program whose call returns to the offset. */
 const struct elf_file *trace_stack_file(const struct trace *t, int32_t stack);
+const struct program_code *trace_stack_code(const struct trace *t, int32_t stack);
 struct trace_frame trace_frame_at(const struct trace *t, int32_t stack, int64_t offset);
 #endif

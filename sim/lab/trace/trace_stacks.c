@@ -7,6 +7,7 @@
 #include "guest/layer.h"
 #include "kernel/xalloc.h"
 #include "nx_api/waitfor/waitfor_mpi.h"
+#include "lab/trace/program_code.h"
 #include "lab/trace/trace_parts.h"
 
 struct place {
@@ -18,8 +19,9 @@ struct place {
 struct program {
     char *path;
     struct elf_file *elf;
-    bool tried;            /* to open it */
-    struct place **places; /* sorted by offset */
+    bool tried;                /* to open it */
+    struct program_code *code; /* NULL: nobody has asked */
+    struct place **places;     /* sorted by offset */
     size_t count, room;
 };
 
@@ -48,6 +50,7 @@ static void free_program(struct program *p)
         free(p->places[i]);
     }
     free(p->places);
+    program_code_free(p->code);
     if (p->elf)
         elf_close(p->elf);
     free(p->path);
@@ -201,6 +204,14 @@ const struct trace_frame *trace_stack(const struct trace *t, int32_t stack, int 
 const struct elf_file *trace_stack_file(const struct trace *t, int32_t stack)
 {
     return opened(&t->stacks->programs[t->stacks->stacks[stack].program]);
+}
+
+const struct program_code *trace_stack_code(const struct trace *t, int32_t stack)
+{
+    struct program *p = &t->stacks->programs[t->stacks->stacks[stack].program];
+    if (!p->code)
+        p->code = program_code_read(p->path);
+    return p->code;
 }
 
 struct trace_frame trace_frame_at(const struct trace *t, int32_t stack, int64_t offset)

@@ -34,7 +34,8 @@ static int32_t message_of(const struct trace *t, const struct path_step *s)
 
 const char *why_function(struct why *w, const struct path_step *s)
 {
-    bool computes = s->call == TRACE_NONE && !s->enters_handler && s->stack != TRACE_NONE;
+    bool known = s->stack != TRACE_NONE || s->before != TRACE_NONE; /* no call follows at a program's end */
+    bool computes = known && s->call == TRACE_NONE && !s->enters_handler;
     return computes ? places_worker(w->places, s->before, s->seen, s->stack)
                     : places_function(w->places, s->stack);
 }

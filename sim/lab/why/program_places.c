@@ -122,20 +122,21 @@ static const char *join(struct places *p, const char *list, const char *name)
     return *list ? places_text(p, "%s or %s", list, name) : name;
 }
 
+static int compare_names(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
 static const char *worker_between(struct places *p, int32_t before, int32_t after)
 {
     struct trace_between x = trace_between(p->t, before, after);
-    const char *innermost = places_function(p, after), *in = x.in ? function_of(p, x.in) : "", *list = "";
-    if (x.more) /* too many to tell: all of them are called by this one */
-        return in;
+    const char *in = x.in ? function_of(p, x.in) : "", *list = "";
+    qsort(x.worked, (size_t)x.count, sizeof *x.worked, compare_names); /* one text for one set of functions */
     for (int i = 0; i < x.count; i++)
-        list = join(p, list, places_text(p, "%.*s", (int)strcspn(x.called[i], "."), x.called[i]));
-    if (*in && innermost != in && is_on_both_sides(p, before, after))
-        return x.count ? list : in;
-    if (list == innermost)
-        return innermost;
-    list = join(p, list, innermost);
-    return x.count || !*in || innermost == in ? list : join(p, list, in);
+        list = join(p, list, places_text(p, "%.*s", (int)strcspn(x.worked[i], "."), x.worked[i]));
+    if (x.count)
+        return x.more ? join(p, list, "others") : list;
+    return *in && is_on_both_sides(p, before, after) ? in : places_function(p, after);
 }
 
 static int compare_worked(const void *a, const void *b)

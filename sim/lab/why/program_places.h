@@ -1,5 +1,5 @@
-/* program_places.h - places in the program as text. Each different text is made once: equal texts have equal
- * addresses, and last until places_free(). */
+/* program_places.h - places in the program as text. Each different text is made once: equal texts have
+ * equal addresses, and last until places_free(). */
 #ifndef LAB_WHY_PROGRAM_PLACES_H
 #define LAB_WHY_PROGRAM_PLACES_H
 #include "lab/trace/trace_model.h"
@@ -14,8 +14,9 @@ void places_free(struct places *p);
 const char *places_line(struct places *p, int32_t stack);
 /* "slices_prepare"; "". */
 const char *places_function(struct places *p, int32_t stack);
-/* The functions that a program may have worked in between two places: "force", "force or main". seen: a place
- * at which it was in this time; TRACE_NONE: not known. "" if nothing is known. */
+/* The functions that a program may have worked in between two places: "force", "force or main"; with
+ * "or others" where they are many. seen: a place at which it was in this time; TRACE_NONE: not known.
+ * "": nothing is known. */
 const char *places_worker(struct places *p, int32_t before, int32_t seen, int32_t after);
 /* A call with its place: "csend at ring.c:12 (main)". */
 const char *places_call(struct places *p, int32_t call);
