@@ -6,37 +6,49 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include "nx_api/driver/elf_file.h"
 #include "nx_api/driver/text.h"
 
 /* --- which --- */
 
-static bool in_path(const char *program)
+/* Is the file nxcc itself, as --as-mpi makes links to it by the names of MPI's compilers? */
+static bool is_nxcc(const char *path)
 {
-    bool found = strchr(program, '/') && access(program, X_OK) == 0;
+    struct stat file, self;
+    return !stat(path, &file) && !stat("/proc/self/exe", &self) && file.st_dev == self.st_dev &&
+           file.st_ino == self.st_ino;
+}
+
+/* The path of a program that is not nxcc; NULL: there is none. */
+static const char *in_path(const char *program)
+{
+    if (strchr(program, '/'))
+        return access(program, X_OK) ? NULL : program;
     const char *folders = getenv("PATH");
     char *path = text("%s", folders ? folders : "/usr/bin:/bin");
-    for (char *rest = path, *folder; !found && (folder = strsep(&rest, ":"));) {
+    for (char *rest = path, *folder; (folder = strsep(&rest, ":"));) {
         char *whole = text("%s/%s", *folder ? folder : ".", program);
-        found = access(whole, X_OK) == 0;
+        if (access(whole, X_OK) == 0 && !is_nxcc(whole)) {
+            free(path);
+            return whole;
+        }
         free(whole);
     }
     free(path);
-    return found;
+    return NULL;
 }
 
 const char *mpi_command(void)
 {
-    const char *asked = getenv("NXCC_MPICC");
-    if (asked && *asked && !in_path(asked))
-        fail("--mpi: NXCC_MPICC is %s, which is not to be found: it should be the mpicc of an MPI", asked);
+    const char *asked = getenv("NXCC_MPICC"), *found = in_path(asked && *asked ? asked : "mpicc");
+    if (found)
+        return found;
     if (asked && *asked)
-        return asked;
-    if (!in_path("mpicc"))
-        fail("--mpi: mpicc, which links, is not to be found: install Debian's openmpi-bin and "
-             "libopenmpi-dev, or name another by NXCC_MPICC");
-    return "mpicc";
+        fail("--mpi: NXCC_MPICC is %s, which is not to be found: it should be the mpicc of an MPI", asked);
+    fail("--mpi: mpicc, which links, is not to be found: install Debian's openmpi-bin and "
+         "libopenmpi-dev, or name another by NXCC_MPICC");
 }
 
 /* What mpi.h defines says it. */

@@ -89,28 +89,51 @@ static bool has_line(const json_t *list, const json_t *place)
     return false;
 }
 
-/* Each line at which nodes wait is told once. */
+static bool gave_up(const struct waitfor_node *n)
+{
+    return n->state == WAITFOR_ENDED && n->exit_status != 0;
+}
+
+/* The line at which a node waits, or ended with an error; NULL: it does neither, or its line is not known. */
+static json_t *stands_at(const struct waitfor_node *n)
+{
+    bool waits = n->state == WAITFOR_WAITS;
+    if (!n->line || (!waits && !gave_up(n)))
+        return NULL;
+    char *text = waits ? NULL : xasprintf("%s ended here with exit(%d)", n->name, n->exit_status);
+    json_t *place = named(n->line, waits ? n->why : text);
+    free(text);
+    return place;
+}
+
+/* Each line at which nodes stand is there once. If a node ended with an error, that is the cause, and its
+ * line the first. */
 static json_t *deadlock_result(const struct machine *m)
 {
-    json_t *first = NULL, *lines = xchecked(json_array());
+    json_t *cause = NULL, *lines = xchecked(json_array());
     for (uint32_t i = 0; i < m->waits->count; i++) {
         const struct waitfor_node *n = &m->waits->nodes[i];
-        json_t *place = n->line && n->state == WAITFOR_WAITS ? named(n->line, n->why) : NULL;
+        json_t *place = stands_at(n);
         if (!place || has_line(lines, place))
             json_decref(place);
+        else if (!cause && gave_up(n))
+            cause = place;
         else
             json_append(lines, place);
     }
-    if (json_array_size(lines)) {
-        first = json_incref(json_array_get(lines, 0));
+    const char *rule = cause ? "exit" : "deadlock";
+    if (!cause && json_array_size(lines)) {
+        cause = json_incref(json_array_get(lines, 0));
         json_array_remove(lines, 0);
     }
-    return result("deadlock", "error", m->message ? m->message : "deadlock", first, lines);
+    return result(rule, "error", m->message ? m->message : "deadlock", cause, lines);
 }
 
-/* "heap-buffer-overflow" of a report of --asan; else "crash". */
+/* "heap-buffer-overflow" of a report of --asan; "exit" of a program that exits with an error; else "crash". */
 static char *rule_of(const char *message)
 {
+    if (strstr(message, " with exit("))
+        return xstrdup("exit");
     const char *at = strstr(message, ": ");
     size_t length = at ? strspn(at + 2, "abcdefghijklmnopqrstuvwxyz-") : 0;
     return length && at[2 + length] == ':' && memchr(at + 2, '-', length) ? xstrndup(at + 2, length)

@@ -136,6 +136,8 @@ mkdir nothing
 PATH=nothing "$BUILD/nxcc" --mpi -o none "$tests/mpi/masks.c" >out 2>err
 status=$?
 check "without mpicc: says which packages" said 'nxcc: --mpi: .*libopenmpi-dev'
+"$BUILD/nxcc" --as-mpi as-mpi >out
+check "nxcc's own mpicc in PATH is not MPI's" env PATH="$PWD/as-mpi:$PATH" "$BUILD/nxcc" --mpi -o own "$tests/mpi/masks.c"
 check "objects are compiled apart" "$BUILD/nxcc" --mpi -O2 -c -o part.o "$tests/mpi/masks.c"
 check "and linked" "$BUILD/nxcc" --mpi -o parts part.o
 on_mpi 2 ./parts

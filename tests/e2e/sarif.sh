@@ -17,6 +17,13 @@ sarif -n 4 deadlock
 check "a deadlock: the line of the call" test "$(cat found)" = "deadlock error deadlock.c:$(sed -n 's/^.*(deadlock\.c:\([0-9]*\)).*/\1/p' err | head -1)"
 check "with the report" test "$(jq -r '.runs[0].results[0].message.text | split("\n")[0]' found.sarif)" = "deadlock: every program waits, and no message is under way"
 
+"$BUILD/nxcc" -g -O2 -o exited "$tests/deadlocks/exited.c"
+sarif -n 4 exited
+check "an exit with an error, for which others wait: its line first" test "$(cat found)" = "exit error exited.c:10,exited.c:12,exited.c:13"
+check "and what it is" test "$(jq -r '.runs[0].results[0].locations[0].message.text' found.sarif)" = "node 1 ended here with exit(1)"
+sarif -n 2 exited
+check "with one that waits" test "$(cat found)" = "exit error exited.c:10,exited.c:12"
+
 "$BUILD/nxcc" -g -O2 --races -o race "$examples/race.c"
 run -q -n 4 --races races.json race
 sarif -n 4 race
