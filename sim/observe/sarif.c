@@ -129,7 +129,7 @@ static json_t *deadlock_result(const struct machine *m)
     return result(rule, "error", m->message ? m->message : "deadlock", cause, lines);
 }
 
-/* "heap-buffer-overflow" of a report of --asan; "exit" of a program that exits with an error; else "crash". */
+/* "heap-buffer-overflow" of a report of --asan; "exit" of an exit with an error; else "crash". */
 static char *rule_of(const char *message)
 {
     if (strstr(message, " with exit("))
