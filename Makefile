@@ -28,6 +28,7 @@ CFLAGS  = -std=gnu17 $(OPT) -fno-lto $(WARN) $(SAN) $(PREFIX_MAP) -fno-omit-fram
 # (Only the library is there, without its headers, -dev's 138 MB: kernel/fiber.c declares the two functions.)
 BOOST    := $(notdir $(firstword $(wildcard $(addsuffix /libboost_context.so.*,/usr/lib/$(shell $(CC) -print-multiarch 2>/dev/null) /usr/lib/x86_64-linux-gnu))))
 SIM_LIBS = -l:$(or $(BOOST),libboost_context.so) -lconfig -ljansson -levent -lnettle -lzstd -ldw -lelf -lz -lm
+FOR_GDB  = -Wl,--export-dynamic-symbol=touchstone_stops # by name, also once stripped
 LIBS     = $(SIM_LIBS) -lnlopt -llapack -lpng -lwebpmux -lwebp -lcairo -lfontconfig -lopen-trace-format2
 
 # What simulates is linked twice, with the fast engine and with the one that defines its results (sim/lp/engine.h). What reads
@@ -99,11 +100,11 @@ $B/libtouchstone.a: $(SIM_OBJ) $(LAB_OBJ)
 # (Of the same objects from a library GCC inlines less, and messages take 4 % longer.)
 $B/touchstone: $B/obj/sim/cli/main.o $(SIM_OBJ)
 	$(call say,LINK,$@)
-	$(CC) $(SAN) $(OPT) $(PREFIX_MAP) $(LTO) $(if $(LTO),-Wno-lto-type-mismatch) -o $@ $^ $(SIM_LIBS)
+	$(CC) $(SAN) $(OPT) $(PREFIX_MAP) $(LTO) $(if $(LTO),-Wno-lto-type-mismatch) $(FOR_GDB) -o $@ $^ $(SIM_LIBS)
 
 $B/touchstone-reference: $B/obj/sim/cli/main.o $(REF_OBJ)
 	$(call say,LINK,$@)
-	$(CC) $(SAN) $(OPT) -fno-lto -o $@ $^ $(SIM_LIBS)
+	$(CC) $(SAN) $(OPT) -fno-lto $(FOR_GDB) -o $@ $^ $(SIM_LIBS)
 
 $B/touchstone-lab: $(LAB_MAIN:%.c=$B/obj/%.o) $B/libtouchstone.a
 	$(call say,LINK,$@)

@@ -96,6 +96,15 @@ check "with the results of the build" cmp out installed.out
 check "nxcc compiles the other" moved/bin/nxcc -g -O2 -o crash crash.c
 moved/bin/touchstone run -q -n 2 crash >out 2>err
 check "a crash names the program's line" said '\(crash\.c:[0-9]+\)'
+installed_gdb() {
+    echo 'info line' | moved/bin/touchstone run -q -n 2 --gdb 1 ring >out 2>err
+    grep -q '"node 1" hit Temporary breakpoint .* main' out
+}
+if type gdb >/dev/null 2>&1; then
+    check "the installed touchstone, which has no symbols, stops for gdb" installed_gdb
+else
+    echo "skip the installed touchstone in gdb: gdb is not installed"
+fi
 mv moved "$stage/opt/nx"
 
 if command -v pkg-config >/dev/null; then
