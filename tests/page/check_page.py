@@ -47,6 +47,10 @@ def check_tables(b):
     rule("tables: times, the paper's and errors are right", not wrong, wrong)
     heads = b.run("return [...document.querySelectorAll('main thead tr:last-child th')].map(c => c.textContent)")
     rule("tables: one word for what was simulated, as in text and picture", "simulated" in heads and "computed" not in heads, heads)
+    looks = b.run("""return [...document.querySelectorAll('figure')].filter(f => f.textContent.includes('residuals'))
+        .map(f => [...f.querySelectorAll('g[data-series="fitted to"] > path')].map(p => p.getAttribute('d') + p.getAttribute('stroke')))""")
+    rule("tables: fitted rows look the same in each table", len([of for of in looks if of]) > 1 and
+         len({look for of in looks for look in of}) == 1, looks)
     tones = b.run("return [...document.querySelectorAll('td.error')].map(c => getComputedStyle(c).backgroundColor)")
     slow = [t for t, r in zip(tones, rows) if r["error_pct"] > 0.1]
     fast = [t for t, r in zip(tones, rows) if r["error_pct"] < -0.1]

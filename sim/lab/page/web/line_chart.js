@@ -11,10 +11,10 @@ const DASHES = ['', '7 3', '2 3', '9 3 2 3', '4 2', '12 4', '1 3', '6 2 1 2'];
 
 /* Draws into a new figure element, which is returned with a method update(options).
  * options: { title, xLabel, yLabel, logX, logY, ticksX, zero, height,
- *            series: [ { name, points: [ { x, y, tip, spread, marked } ], line, hollow } ] }
+ *            series: [ { name, points: [ { x, y, tip, spread, marked } ], line, hollow, style } ] }
  * ticksX: values of the horizontal axis that get a label; zero: a line at 0; spread: half the length of
  * a point's error bar; marked: with a ring around it; line: false: markers only; hollow: rings instead of
- * dots. */
+ * dots; style: the number of its colour and marker, by default its place among the series. */
 function lineChart(options) {
     const chart = {hidden: new Set(), near: null};
     const holder = element('div'), tip = element('div', {class: 'tip', role: 'status'});
@@ -27,7 +27,7 @@ function lineChart(options) {
         draw(holder.clientWidth);
     };
     function shown() {
-        return options.series.map((s, i) => ({...s, index: i})).filter(s => !chart.hidden.has(s.name));
+        return options.series.map((s, i) => ({...s, style: s.style ?? i})).filter(s => !chart.hidden.has(s.name));
     }
     function drawLegend() {
         legend.hidden = options.series.length < 2;
@@ -37,7 +37,7 @@ function lineChart(options) {
             legend.querySelectorAll('button')[i].focus();
         }, {'aria-pressed': String(!chart.hidden.has(s.name))}))));
         legend.querySelectorAll('button').forEach(
-            (b, i) => b.append(legendKey(options.series[i], i), options.series[i].name));
+            (b, i) => b.append(legendKey(options.series[i], options.series[i].style ?? i), options.series[i].name));
     }
     function draw(width) {
         if (width > 0)
@@ -198,7 +198,7 @@ function axisNumber(t) {
 }
 
 function drawSeries(s, points, x, y) {
-    const i = s.index, stroke = `var(--c${i % 8})`, g = svgElement('g', {'data-series': s.name});
+    const i = s.style, stroke = `var(--c${i % 8})`, g = svgElement('g', {'data-series': s.name});
     const sorted = s.line === false ? points : [...points].sort((a, b) => a.x - b.x);
     if (s.line !== false)
         g.append(svgElement('path', {

@@ -105,7 +105,8 @@ function comparedRow(row) {
     return tr;
 }
 
-/* The errors against the nodes; a bar is what the paper's rounding leaves open. */
+/* The errors against the nodes; a bar is what the paper's rounding leaves open. Rows look the same in all tables,
+ * also where all of them are of one kind. */
 function residuals(table, rows) {
     const points = kept => rows.filter(r => typeof r.error_pct === 'number' && r.fitted === kept).map(r => ({
         x: r.nodes,
@@ -123,8 +124,8 @@ function residuals(table, rows) {
         height: 180,
         ticksX: rows.map(r => r.nodes),
         series: [
-            {name: 'predicted', points: points(false), line: false},
-            {name: 'fitted to', points: points(true), line: false, hollow: true}
+            {name: 'predicted', points: points(false), line: false, style: 0},
+            {name: 'fitted to', points: points(true), line: false, hollow: true, style: 1}
         ].filter(s => s.points.length)
     }).figure;
 }
