@@ -1,7 +1,7 @@
 # pages.bash - for tests that give a page's commands as a reader would. Read after common.bash; gives:
 #   commands PAGE            all of its sh and console blocks, and the indented lines that begin with one of our commands
 #   follow PAGE [STATUS]     gives the page's commands; all end well, or the last one with that status: leaves said
-#   shows PAGE               said has what the page shows, but for numbers
+#   shows PAGE [exact]       said has what the page shows; "exact": numbers, too
 root=$(cd "$tests/../.." && pwd)
 export XDG_CACHE_HOME=$work/cache PATH=$BUILD:$PATH
 ln -s "$BUILD" build
@@ -18,4 +18,4 @@ follow() {
     check "$1: the commands work" ended_with "${2:-0}"
     [ "$status" = "${2:-0}" ] || sed 's/^/# /' said | tail -5
 }
-shows() { python3 "$tests/shown.py" "$root/doc/$1.md" said; }
+shows() { python3 "$tests/shown.py" "$root/doc/$1.md" said "${@:2}"; }

@@ -6,19 +6,19 @@
 ln -s "$root"/{app,bench,share,tests} .
 
 follow profile
-shows profile
+shows profile exact
 
 compile ring
 touchstone run -q -n 2 --trace ring.trace ring >/dev/null # any program's
 follow trace-why
-shows trace-why
+shows trace-why exact
 
 follow races 3 # races were found
-shows races
+shows races exact
 
 nxcc -g -O2 -o two_exchanges tests/explore/two_exchanges.c
 follow explore 1 # outcomes differ
-shows explore
+shows explore exact
 
 # A volume as large as the scan, which does not come with touchstone: a ball with a denser core.
 python3 -c '

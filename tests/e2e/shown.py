@@ -1,15 +1,18 @@
-"""shown.py PAGE OUTPUT - does the output have what the page shows? Blocks are those between plain ``` lines, ```out and ```console,
+"""shown.py PAGE OUTPUT [exact] - does the output have what the page shows? Blocks are those between plain ``` lines, ```out and ```console,
 and those that stand four columns in; those that begin with a line of the output are looked at, and all their lines must then be in it.
-Numbers may be others: so a page tells when a report's words have changed, and not when a machine's times have. "..." ends a line of
-which the rest is left out, or stands for lines. Prints "ok" or "not ok" for each block."""
+Numbers may be others: so a page tells when a report's words have changed, and not when a machine's times have; "exact": they may not.
+"..." ends a line of which the rest is left out, or stands for lines. Prints "ok" or "not ok" for each block."""
 import re
 import sys
 
-page, output = sys.argv[1:]
+page, output = sys.argv[1:3]
+exact = sys.argv[3:] == ["exact"]
 
 
 def plain(line):
-    """The line without its numbers and units of time, and with single blanks."""
+    """The line with single blanks, and, unless they must be exact, without its numbers and units of time."""
+    if exact:
+        return " ".join(line.split())
     numbers = r"0x[0-9a-f]+|[+-]?\d[\d.,]*"
     return " ".join(re.sub(rf"({numbers})( [mun]?s\b)?", "0", line).split())
 
