@@ -84,6 +84,11 @@ traced -m delta -n 4 wrapped away
 why t.trace
 check "wrapped: the function that works between two calls of another" prints 'computed, mostly in grind \([0-9.]+ ms\)\.'
 
+"$BUILD/nxcc" -O2 -g -o levels "$tests/levels.c" && traced -m delta -n 4 levels
+why t.trace
+check "levels: the function below those that a round left and entered" prints 'computed, mostly in force \([0-9.]+ ms\)'
+check "levels: the function before the first call" prints 'Of the path, by function.* force +[0-9. ]+ fill +[0-9.]+ '
+
 # What if.
 run -q --json run.json -m ipsc860 -n 32 --set system.interrupt_us=0 served
 why --set system.interrupt_us=0 many.trace
