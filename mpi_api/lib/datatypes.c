@@ -6,7 +6,7 @@
 /* --- MPI's own --- */
 
 #define AT(handle) [(handle)-FIRST_BASIC]
-const struct basic basic_types[BASICS] = {
+READ_OFTEN struct basic basic_types[BASICS] = {
     AT(0x201) = {8, WHOLE, 0},    AT(0x202) = {8, WHOLE, 0},    AT(0x203) = {8, WHOLE, 0},
     AT(0x207) = {1, BITS, 0},     AT(0x208) = {2, WHOLE, 0},    AT(0x209) = {4, WHOLE, 0},
     AT(0x20a) = {8, WHOLE, 0},    AT(0x20b) = {8, WHOLE, 0},    AT(0x20c) = {2, NATURAL, 0},

@@ -21,10 +21,17 @@
 #include "mpi_api/core/core.h"
 #include "mpi_api/core/library.h"
 
+/* What each message runs and reads lies together: the fewer of a rank's pages a message touches, the less it
+ * takes the host to find them (bench/speed/NOTES.md). */
+#define RUN_OFTEN __attribute__((section(".text.hot")))
+#define READ_OFTEN __attribute__((section(".data")))
+
 /* A call, which programs reach by both of its names. By MPI_NAME it goes straight to PMPI_NAME, or by tell.S:
  * in code that nxcc does not compile, so that it takes no virtual time. */
-#define CALL(name, parameters)                                                                               \
-    __asm__(".pushsection .text\n"                                                                           \
+#define CALL(name, parameters) BOTH_NAMES(".text", name) int PMPI_##name parameters
+#define OFTEN_CALL(name, parameters) BOTH_NAMES(".text.hot", name) RUN_OFTEN int PMPI_##name parameters
+#define BOTH_NAMES(text, name)                                                                               \
+    __asm__(".pushsection " text "\n"                                                                        \
             ".weak MPI_" #name "\n"                                                                          \
             ".type MPI_" #name ", @function\n"                                                               \
             ".p2align 4\n"                                                                                   \
@@ -37,8 +44,7 @@
             ".size MPI_" #name ", .-MPI_" #name "\n"                                                         \
             ".section .rodata.str1.1, \"aMS\", @progbits, 1\n"                                               \
             "1:  .string \"MPI_" #name "\"\n"                                                                \
-            ".popsection");                                                                                  \
-    int PMPI_##name parameters
+            ".popsection");
 
 /* --- objects: mpi_api/core/library.h --- */
 
@@ -137,7 +143,7 @@ int attribute_delete_all(void *handle, struct attribute **list);
 
 /* --- datatypes --- */
 
-extern const struct basic basic_types[BASICS];
+extern struct basic basic_types[BASICS]; /* constant, but READ_OFTEN */
 static inline const struct basic *type_basic(MPI_Datatype t)
 {
     uintptr_t i = (uintptr_t)t - FIRST_BASIC;

@@ -3,8 +3,9 @@
 #include <stdlib.h>
 #include "lib.h"
 
-static struct object **table;
-static int used, size;
+READ_OFTEN static struct object **table;
+READ_OFTEN static int used;
+static int size;
 static int first_free = -1; /* of those that are free: the next is in `next` */
 static int *next;
 
@@ -51,7 +52,7 @@ void *object_new(enum kind kind, size_t bytes)
     return o;
 }
 
-void *object_of(const void *handle, enum kind kind)
+RUN_OFTEN void *object_of(const void *handle, enum kind kind)
 {
     uintptr_t place = (uintptr_t)handle - FIRST_HANDLE;
     if (place >= (uintptr_t)used)

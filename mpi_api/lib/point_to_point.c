@@ -39,7 +39,7 @@ static int wrong_tag(const struct transfer *t)
     return fail(t->c, t->call, MPI_ERR_TAG, "tag %d is out of range (0 to 999999999)", t->tag);
 }
 
-int transfer_check(struct transfer *t, bool sends)
+RUN_OFTEN int transfer_check(struct transfer *t, bool sends)
 {
     struct comm *c = t->c = comm_of(t->comm);
     if (__builtin_expect(!c, 0))
@@ -84,7 +84,7 @@ static inline void send(const struct nxm_envelope *e, const void *at, size_t byt
         tasks_complete(&(struct nxm_completion){e->call, NXM_WAIT, 1, &id, &(struct nxm_status){0}});
 }
 
-static int transfer_send(struct transfer *t)
+RUN_OFTEN static int transfer_send(struct transfer *t)
 {
     size_t bytes;
     if (t->peer == MPI_PROC_NULL)
@@ -130,7 +130,7 @@ static inline int transfer_receive(struct transfer *t, MPI_Status *status)
 
 /* --- those with requests --- */
 
-struct request *transfer_begin(const struct transfer *t, bool sends)
+RUN_OFTEN struct request *transfer_begin(const struct transfer *t, bool sends)
 {
     struct request *r = request_new();
     r->what = sends ? SENDS : RECEIVES;
@@ -146,7 +146,7 @@ struct request *transfer_begin(const struct transfer *t, bool sends)
     return r;
 }
 
-static void start_send(struct request *r)
+RUN_OFTEN static void start_send(struct request *r)
 {
     size_t bytes;
     const void *at = type_together(r->buf, r->count, r->type, &bytes);
@@ -162,7 +162,7 @@ static void start_send(struct request *r)
     }
 }
 
-static void start_receive(struct request *r)
+RUN_OFTEN static void start_receive(struct request *r)
 {
     void *at = type_together(r->buf, r->count, r->type, &r->room);
     if (!at)
@@ -170,7 +170,7 @@ static void start_receive(struct request *r)
     r->id = (int)nxm_irecv(&r->envelope, at, (long)r->room);
 }
 
-void request_start(struct request *r)
+RUN_OFTEN void request_start(struct request *r)
 {
     r->active = true;
     r->id = 0;
@@ -189,7 +189,7 @@ void request_start(struct request *r)
     }
 }
 
-static int begin(struct transfer *t, bool sends, MPI_Request *request)
+RUN_OFTEN static int begin(struct transfer *t, bool sends, MPI_Request *request)
 {
     int code = transfer_check(t, sends);
     if (code)
@@ -214,8 +214,8 @@ static int prepare(struct transfer *t, bool sends, MPI_Request *request)
 
 /* --- the calls --- */
 
-#define SEND(name, iname, mode)                                                                              \
-    CALL(name, (const void *buf, int count, MPI_Datatype type, int dest, int tag, MPI_Comm comm))            \
+#define SEND(call, name, iname, mode)                                                                        \
+    call(name, (const void *buf, int count, MPI_Datatype type, int dest, int tag, MPI_Comm comm))            \
     {                                                                                                        \
         struct transfer t = {CALL_##name, buf, count, type, dest, tag, comm, mode, NULL};                    \
         int code = transfer_check(&t, true);                                                                 \
@@ -223,7 +223,7 @@ static int prepare(struct transfer *t, bool sends, MPI_Request *request)
             return code;                                                                                     \
         return mode == BUFFERED ? buffered_send(&t) : transfer_send(&t);                                     \
     }                                                                                                        \
-    CALL(iname, (const void *buf, int count, MPI_Datatype type, int dest, int tag, MPI_Comm comm,            \
+    call(iname, (const void *buf, int count, MPI_Datatype type, int dest, int tag, MPI_Comm comm,            \
                  MPI_Request *request))                                                                      \
     {                                                                                                        \
         struct transfer t = {CALL_##iname, buf, count, type, dest, tag, comm, mode, NULL};                   \
@@ -235,20 +235,21 @@ static int prepare(struct transfer *t, bool sends, MPI_Request *request)
         struct transfer t = {CALL_##name##_init, buf, count, type, dest, tag, comm, mode, NULL};             \
         return prepare(&t, true, request);                                                                   \
     }
-SEND(Send, Isend, STANDARD)
-SEND(Bsend, Ibsend, BUFFERED)
-SEND(Ssend, Issend, SYNCHRONOUS)
-SEND(Rsend, Irsend, READY)
+SEND(OFTEN_CALL, Send, Isend, STANDARD)
+SEND(CALL, Bsend, Ibsend, BUFFERED)
+SEND(CALL, Ssend, Issend, SYNCHRONOUS)
+SEND(CALL, Rsend, Irsend, READY)
 
-CALL(Recv, (void *buf, int count, MPI_Datatype type, int source, int tag, MPI_Comm comm, MPI_Status *status))
+OFTEN_CALL(Recv,
+           (void *buf, int count, MPI_Datatype type, int source, int tag, MPI_Comm comm, MPI_Status *status))
 {
     struct transfer t = {CALL_Recv, buf, count, type, source, tag, comm, STANDARD, NULL};
     int code = transfer_check(&t, false);
     return code ? code : transfer_receive(&t, status);
 }
 
-CALL(Irecv,
-     (void *buf, int count, MPI_Datatype type, int source, int tag, MPI_Comm comm, MPI_Request *request))
+OFTEN_CALL(Irecv, (void *buf, int count, MPI_Datatype type, int source, int tag, MPI_Comm comm,
+                   MPI_Request *request))
 {
     struct transfer t = {CALL_Irecv, buf, count, type, source, tag, comm, STANDARD, NULL};
     return begin(&t, false, request);

@@ -6,9 +6,9 @@
 
 /* Requests that have ended lie here for the next ones, linked by `extra`. They keep their places in the table
  * of objects, of no kind, so that their handles are none. */
-static struct request *spare;
+READ_OFTEN static struct request *spare;
 
-struct request *request_new(void)
+RUN_OFTEN struct request *request_new(void)
 {
     struct request *r = spare;
     if (!r)
@@ -21,7 +21,7 @@ struct request *request_new(void)
 /* Requests that programs free while they are under way: their ids are kept until they are done. */
 static int *orphans, orphan_count;
 
-void request_drop(struct request *r)
+RUN_OFTEN void request_drop(struct request *r)
 {
     if (--r->object.users > 0)
         return;
@@ -78,7 +78,7 @@ static inline int received(struct request *r, int call, const struct nxm_status 
                 group_rank_of(r->comm->peers, s->node), s->bytes, r->room);
 }
 
-int request_finish(struct request *r, int call, const struct nxm_status *s, MPI_Status *status)
+RUN_OFTEN int request_finish(struct request *r, int call, const struct nxm_status *s, MPI_Status *status)
 {
     int code;
     if (r->id && r->what == RECEIVES)
@@ -106,8 +106,8 @@ struct many {
     int messages, collectives, files; /* of the active ones that are not done */
 };
 
-static void *scratch;
-static size_t scratch_bytes;
+READ_OFTEN static void *scratch;
+READ_OFTEN static size_t scratch_bytes;
 
 static inline bool is_done(struct request *r)
 {
@@ -120,7 +120,7 @@ static inline bool is_done(struct request *r)
     return !r->id && (r->what != GENERAL || r->count);
 }
 
-static int gather(struct many *m, int call, int count, const MPI_Request requests[])
+RUN_OFTEN static int gather(struct many *m, int call, int count, const MPI_Request requests[])
 {
     size_t each = sizeof *m->request + sizeof *m->ids + sizeof *m->status;
     size_t bytes = (size_t)count * each;
@@ -208,7 +208,7 @@ static inline void wait_for_all(const struct many *m)
 }
 
 /* Request i is done. */
-static int finish(const struct many *m, int i, MPI_Request requests[], MPI_Status *status)
+RUN_OFTEN static int finish(const struct many *m, int i, MPI_Request requests[], MPI_Status *status)
 {
     struct request *r = m->request[i];
     bool stays = r->persistent;
@@ -223,7 +223,7 @@ static bool ended(const struct many *m, int i)
     return m->request[i] && (m->status[i].done || is_done(m->request[i]));
 }
 
-static int finish_all(const struct many *m, MPI_Request requests[], MPI_Status statuses[])
+RUN_OFTEN static int finish_all(const struct many *m, MPI_Request requests[], MPI_Status statuses[])
 {
     int code = MPI_SUCCESS;
     for (int i = 0; i < m->count; i++) {
@@ -245,7 +245,7 @@ static int finish_all(const struct many *m, MPI_Request requests[], MPI_Status s
 
 /* --- the calls --- */
 
-static bool waits_for_general(const struct many *m)
+RUN_OFTEN static bool waits_for_general(const struct many *m)
 {
     for (int i = 0; i < m->count; i++)
         if (m->request[i] && m->request[i]->what == GENERAL && !is_done(m->request[i]))
@@ -266,7 +266,7 @@ static void wait_for_file(int call, struct request *r)
         r->end(r, true);
 }
 
-CALL(Wait, (MPI_Request * request, MPI_Status *status))
+OFTEN_CALL(Wait, (MPI_Request * request, MPI_Status *status))
 {
     struct request *r = object_of(*request, REQUEST);
     struct nxm_status s = {0};
@@ -289,7 +289,7 @@ CALL(Wait, (MPI_Request * request, MPI_Status *status))
     return request_finish(r, CALL_Wait, &s, status);
 }
 
-CALL(Waitall, (int count, MPI_Request requests[], MPI_Status statuses[]))
+OFTEN_CALL(Waitall, (int count, MPI_Request requests[], MPI_Status statuses[]))
 {
     struct many m;
     int code = gather(&m, CALL_Waitall, count, requests);

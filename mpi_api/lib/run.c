@@ -6,12 +6,13 @@
 #include "coll.h"
 #include "nx.h"
 
-bool mpi_runs;
-long mpi_eager_limit;
+READ_OFTEN bool mpi_runs;
+READ_OFTEN long mpi_eager_limit;
 bool mpi_of_1995;
 static bool has_run;
 static int threads = MPI_THREAD_SINGLE;
-static struct group world_group, self_group;
+READ_OFTEN static struct group world_group;
+static struct group self_group;
 
 struct comm comm_world = {.local = &world_group, .peers = &world_group};
 struct comm comm_self = {.local = &self_group, .peers = &self_group};

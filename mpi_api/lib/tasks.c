@@ -16,7 +16,7 @@ struct task {
     char stack[STACK_BYTES] __attribute__((aligned(16)));
 };
 
-int tasks_under_way;
+READ_OFTEN int tasks_under_way;
 static struct task *tasks, *current; /* in the order of their beginning */
 
 /* Goes on where `to` has left off, and leaves off where *from says then. */
