@@ -78,7 +78,7 @@ int coll_check(const struct coll *o, int count, MPI_Datatype t);
 int coll_fail_same(const struct args *a);
 static inline int coll_check_apart(const struct args *a)
 {
-    return __builtin_expect(a->buf == a->into, 0) ? coll_fail_same(a) : MPI_SUCCESS;
+    return SELDOM(a->buf == a->into) ? coll_fail_same(a) : MPI_SUCCESS;
 }
 
 void coll_send(const struct coll *o, const void *buf, int count, MPI_Datatype t, int to);

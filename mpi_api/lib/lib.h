@@ -25,6 +25,9 @@
  * takes the host to find them (bench/speed/NOTES.md). */
 #define RUN_OFTEN __attribute__((section(".text.hot")))
 #define READ_OFTEN __attribute__((section(".data")))
+#define RUN_SELDOM __attribute__((noinline))
+#define USUALLY(x) __builtin_expect(!!(x), 1)
+#define SELDOM(x) __builtin_expect(!!(x), 0)
 
 /* A call, which programs reach by both of its names. By MPI_NAME it goes straight to PMPI_NAME, or by tell.S:
  * in code that nxcc does not compile, so that it takes no virtual time. */
@@ -77,12 +80,12 @@ static inline void give_memory(void *p)
 
 static inline int group_node(const struct group *g, int rank)
 {
-    return g->nodes ? g->nodes[rank] : g->first + rank;
+    return SELDOM(g->nodes) ? g->nodes[rank] : g->first + rank;
 }
 int group_rank_in_list(const struct group *g, int node);
 static inline int group_rank_of(const struct group *g, int node) /* MPI_UNDEFINED: none */
 {
-    if (g->nodes)
+    if (SELDOM(g->nodes))
         return group_rank_in_list(g, node);
     return node >= g->first && node < g->first + g->size ? node - g->first : MPI_UNDEFINED;
 }
@@ -97,9 +100,9 @@ extern struct comm comm_world, comm_self;
 extern bool mpi_runs;                               /* between MPI_Init and MPI_Finalize */
 static inline struct comm *comm_of(MPI_Comm handle) /* NULL: none */
 {
-    if (!mpi_runs)
+    if (SELDOM(!mpi_runs))
         return NULL;
-    if (handle == MPI_COMM_WORLD)
+    if (USUALLY(handle == MPI_COMM_WORLD))
         return &comm_world;
     return handle == MPI_COMM_SELF ? &comm_self : object_of(handle, COMM);
 }
@@ -174,7 +177,7 @@ static inline void type_leave(MPI_Datatype t)
 }
 static inline bool type_is_valid(MPI_Datatype t) /* for communication: there, and committed */
 {
-    return type_basic(t) || type_made_is_valid(t);
+    return USUALLY(type_basic(t)) || type_made_is_valid(t);
 }
 
 /* The bytes of `count` elements, in order: from memory, and into it, at most so many. */
@@ -185,7 +188,7 @@ void *type_made_together(const void *buf, int count, MPI_Datatype t, size_t *byt
 static inline void *type_together(const void *buf, int count, MPI_Datatype t, size_t *bytes)
 {
     const struct basic *b = type_basic(t);
-    if (!b || b->class == PAIR)
+    if (SELDOM(!b || b->class == PAIR))
         return type_made_together(buf, count, t, bytes);
     *bytes = (size_t)count * b->bytes;
     return (void *)(uintptr_t)buf;
@@ -209,6 +212,8 @@ struct transfer {
     struct comm *c; /* set by transfer_check */
 };
 int transfer_check(struct transfer *t, bool sends);
+/* The message has more bytes than there is room: an error. */
+int message_too_long(struct comm *c, int call, const struct nxm_status *s, size_t room);
 struct request *request_new(void);                                    /* all 0 */
 struct request *transfer_begin(const struct transfer *t, bool sends); /* not under way yet */
 void request_start(struct request *r);

@@ -25,6 +25,23 @@ static void status_of_nobody(MPI_Status *status)
 
 /* --- checks --- */
 
+static inline bool peer_is_right(const struct transfer *t, bool sends)
+{
+    return (unsigned)t->peer < (unsigned)t->c->peers->size || t->peer == MPI_PROC_NULL ||
+           (!sends && t->peer == MPI_ANY_SOURCE);
+}
+
+static inline bool tag_is_right(const struct transfer *t, bool sends)
+{
+    return (unsigned)t->tag <= 999999999 || (!sends && t->tag == MPI_ANY_TAG);
+}
+
+/* A null pointer is a buffer where nothing is sent or received. */
+static bool null_is_right(const struct transfer *t)
+{
+    return !t->count || !type_basic(t->type) || !size_of(t->type) || t->peer == MPI_PROC_NULL;
+}
+
 static int wrong_peer(const struct transfer *t, bool sends)
 {
     int last = t->c->peers->size - 1;
@@ -39,24 +56,34 @@ static int wrong_tag(const struct transfer *t)
     return fail(t->c, t->call, MPI_ERR_TAG, "tag %d is out of range (0 to 999999999)", t->tag);
 }
 
-RUN_OFTEN int transfer_check(struct transfer *t, bool sends)
+/* Tells what is wrong. */
+static RUN_SELDOM int wrong(const struct transfer *t, bool sends)
 {
-    struct comm *c = t->c = comm_of(t->comm);
-    if (__builtin_expect(!c, 0))
+    if (!t->c)
         return fail_comm(t->call);
-    if (__builtin_expect((unsigned)t->peer >= (unsigned)c->peers->size, 0) && t->peer != MPI_PROC_NULL &&
-        (sends || t->peer != MPI_ANY_SOURCE))
+    if (!peer_is_right(t, sends))
         return wrong_peer(t, sends);
-    if (__builtin_expect((unsigned)t->tag > 999999999, 0) && (sends || t->tag != MPI_ANY_TAG))
+    if (!tag_is_right(t, sends))
         return wrong_tag(t);
-    if (__builtin_expect(t->count < 0, 0))
-        return fail(c, t->call, MPI_ERR_COUNT, "the count %d is negative", t->count);
-    if (__builtin_expect(!type_is_valid(t->type), 0))
-        return fail(c, t->call, MPI_ERR_TYPE, "the datatype is null, freed, or not committed");
-    if (__builtin_expect(!t->buf, 0) && t->count && type_basic(t->type) && size_of(t->type) &&
-        t->peer != MPI_PROC_NULL)
-        return fail(c, t->call, MPI_ERR_BUFFER, "the buffer of %d elements is a null pointer", t->count);
-    return MPI_SUCCESS;
+    if (t->count < 0)
+        return fail(t->c, t->call, MPI_ERR_COUNT, "the count %d is negative", t->count);
+    if (!type_is_valid(t->type))
+        return fail(t->c, t->call, MPI_ERR_TYPE, "the datatype is null, freed, or not committed");
+    return fail(t->c, t->call, MPI_ERR_BUFFER, "the buffer of %d elements is a null pointer", t->count);
+}
+
+static inline __attribute__((always_inline)) int check(struct transfer *t, bool sends)
+{
+    t->c = comm_of(t->comm);
+    if (USUALLY(t->c) && USUALLY(peer_is_right(t, sends)) && USUALLY(tag_is_right(t, sends)) &&
+        USUALLY(t->count >= 0) && USUALLY(type_is_valid(t->type)) && (USUALLY(t->buf) || null_is_right(t)))
+        return MPI_SUCCESS;
+    return wrong(t, sends);
+}
+
+int transfer_check(struct transfer *t, bool sends)
+{
+    return check(t, sends);
 }
 
 static inline struct nxm_envelope envelope_of(const struct transfer *t)
@@ -69,13 +96,13 @@ static inline struct nxm_envelope envelope_of(const struct transfer *t)
 
 static inline bool is_held(enum mode mode, size_t bytes)
 {
-    return mode == SYNCHRONOUS || (mode == STANDARD && bytes > (size_t)mpi_eager_limit);
+    return USUALLY(mode == STANDARD) ? bytes > (size_t)mpi_eager_limit : mode == SYNCHRONOUS;
 }
 
 /* While collectives are under way: with an id, so that they go on. (tasks_receive does so, too.) */
 static inline void send(const struct nxm_envelope *e, const void *at, size_t bytes, bool held)
 {
-    if (!tasks_under_way) {
+    if (USUALLY(!tasks_under_way)) {
         nxm_send(e, at, (long)bytes, held);
         return;
     }
@@ -84,48 +111,62 @@ static inline void send(const struct nxm_envelope *e, const void *at, size_t byt
         tasks_complete(&(struct nxm_completion){e->call, NXM_WAIT, 1, &id, &(struct nxm_status){0}});
 }
 
-RUN_OFTEN static int transfer_send(struct transfer *t)
+/* Elements that do not lie together, or are none. */
+static RUN_SELDOM void send_packed(const struct transfer *t, const struct nxm_envelope *e, size_t bytes)
+{
+    char *packed = get_memory(bytes);
+    type_pack(t->buf, t->count, t->type, packed);
+    send(e, packed, bytes, is_held(t->mode, bytes));
+    free(packed);
+}
+
+static inline __attribute__((always_inline)) int transfer_send(const struct transfer *t)
 {
     size_t bytes;
-    if (t->peer == MPI_PROC_NULL)
+    if (SELDOM(t->peer == MPI_PROC_NULL))
         return MPI_SUCCESS;
     const struct nxm_envelope e = envelope_of(t);
     const void *at = type_together(t->buf, t->count, t->type, &bytes);
-    if (at) {
+    if (USUALLY(at))
         send(&e, at, bytes, is_held(t->mode, bytes));
-        return MPI_SUCCESS;
-    }
-    char *packed = get_memory(bytes);
-    type_pack(t->buf, t->count, t->type, packed);
-    send(&e, packed, bytes, is_held(t->mode, bytes));
-    free(packed);
+    else
+        send_packed(t, &e, bytes);
     return MPI_SUCCESS;
 }
 
-static int too_long(const struct transfer *t, const struct nxm_status *s, size_t room)
+RUN_SELDOM int message_too_long(struct comm *c, int call, const struct nxm_status *s, size_t room)
 {
-    return fail(t->c, t->call, MPI_ERR_TRUNCATE,
+    return fail(c, call, MPI_ERR_TRUNCATE,
                 "the message of tag %d from rank %d has %ld bytes, but the buffer only %zu", s->tag,
-                group_rank_of(t->c->peers, s->node), s->bytes, room);
+                group_rank_of(c->peers, s->node), s->bytes, room);
 }
 
-static inline int transfer_receive(struct transfer *t, MPI_Status *status)
+static RUN_SELDOM void receive_packed(const struct transfer *t, const struct nxm_envelope *e, size_t room,
+                                      struct nxm_status *s)
+{
+    char *packed = get_memory(room);
+    tasks_receive(e, packed, room, s);
+    if (!s->truncated && packed)
+        type_unpack(packed, (size_t)s->bytes, (void *)(uintptr_t)t->buf, t->count, t->type);
+    free(packed);
+}
+
+static inline int transfer_receive(const struct transfer *t, MPI_Status *status)
 {
     size_t room;
     struct nxm_status s;
-    if (t->peer == MPI_PROC_NULL) {
+    if (SELDOM(t->peer == MPI_PROC_NULL)) {
         status_of_nobody(status);
         return MPI_SUCCESS;
     }
     const struct nxm_envelope e = envelope_of(t);
     void *at = type_together(t->buf, t->count, t->type, &room);
-    char *packed = at ? NULL : get_memory(room);
-    tasks_receive(&e, at ? at : packed, room, &s);
-    if (!s.truncated && packed)
-        type_unpack(packed, (size_t)s.bytes, (void *)(uintptr_t)t->buf, t->count, t->type);
-    give_memory(packed);
+    if (USUALLY(at))
+        tasks_receive(&e, at, room, &s);
+    else
+        receive_packed(t, &e, room, &s);
     status_of(t->c, &s, status);
-    return s.truncated ? too_long(t, &s, room) : MPI_SUCCESS;
+    return SELDOM(s.truncated) ? message_too_long(t->c, t->call, &s, room) : MPI_SUCCESS;
 }
 
 /* --- those with requests --- */
@@ -146,26 +187,26 @@ RUN_OFTEN struct request *transfer_begin(const struct transfer *t, bool sends)
     return r;
 }
 
-RUN_OFTEN static void start_send(struct request *r)
+RUN_OFTEN static inline void start_send(struct request *r)
 {
     size_t bytes;
     const void *at = type_together(r->buf, r->count, r->type, &bytes);
-    if (!at) {
+    if (SELDOM(!at)) {
         r->packed = get_memory(bytes);
         type_pack(r->buf, r->count, r->type, r->packed);
         at = r->packed;
     }
     r->id = (int)nxm_isend(&r->envelope, at, (long)bytes, is_held(r->mode, bytes));
     if (!r->id) {
-        free(r->packed);
+        give_memory(r->packed);
         r->packed = NULL;
     }
 }
 
-RUN_OFTEN static void start_receive(struct request *r)
+RUN_OFTEN static inline void start_receive(struct request *r)
 {
     void *at = type_together(r->buf, r->count, r->type, &r->room);
-    if (!at)
+    if (SELDOM(!at))
         at = r->packed = get_memory(r->room);
     r->id = (int)nxm_irecv(&r->envelope, at, (long)r->room);
 }
@@ -175,10 +216,10 @@ RUN_OFTEN void request_start(struct request *r)
     r->active = true;
     r->id = 0;
     status_empty(&r->status);
-    if (r->peer == MPI_PROC_NULL) {
+    if (SELDOM(r->peer == MPI_PROC_NULL)) {
         if (r->what == RECEIVES)
             status_of_nobody(&r->status);
-    } else if (r->mode == BUFFERED && r->what == SENDS) {
+    } else if (SELDOM(r->mode == BUFFERED) && r->what == SENDS) {
         struct transfer t = {r->envelope.call, r->buf,        r->count, r->type, r->peer,
                              r->envelope.tag,  MPI_COMM_NULL, BUFFERED, r->comm};
         buffered_send(&t);
@@ -191,8 +232,8 @@ RUN_OFTEN void request_start(struct request *r)
 
 RUN_OFTEN static int begin(struct transfer *t, bool sends, MPI_Request *request)
 {
-    int code = transfer_check(t, sends);
-    if (code)
+    int code = check(t, sends);
+    if (SELDOM(code))
         return code;
     struct request *r = transfer_begin(t, sends);
     request_start(r);
@@ -218,8 +259,8 @@ static int prepare(struct transfer *t, bool sends, MPI_Request *request)
     call(name, (const void *buf, int count, MPI_Datatype type, int dest, int tag, MPI_Comm comm))            \
     {                                                                                                        \
         struct transfer t = {CALL_##name, buf, count, type, dest, tag, comm, mode, NULL};                    \
-        int code = transfer_check(&t, true);                                                                 \
-        if (code)                                                                                            \
+        int code = check(&t, true);                                                                          \
+        if (SELDOM(code))                                                                                    \
             return code;                                                                                     \
         return mode == BUFFERED ? buffered_send(&t) : transfer_send(&t);                                     \
     }                                                                                                        \
@@ -244,8 +285,8 @@ OFTEN_CALL(Recv,
            (void *buf, int count, MPI_Datatype type, int source, int tag, MPI_Comm comm, MPI_Status *status))
 {
     struct transfer t = {CALL_Recv, buf, count, type, source, tag, comm, STANDARD, NULL};
-    int code = transfer_check(&t, false);
-    return code ? code : transfer_receive(&t, status);
+    int code = check(&t, false);
+    return SELDOM(code) ? code : transfer_receive(&t, status);
 }
 
 OFTEN_CALL(Irecv, (void *buf, int count, MPI_Datatype type, int source, int tag, MPI_Comm comm,

@@ -42,21 +42,24 @@ static int end_move(const struct request *r, MPI_Status *status)
     return r->status.MPI_ERROR;
 }
 
-static int end(struct request *r, MPI_Status *status)
+/* Of a request that is no message. */
+static RUN_SELDOM int end_other(struct request *r, MPI_Status *status)
 {
-    if (r->what == COLLECTS) {
-        status_empty(status);
+    if (r->what == MOVES)
+        return end_move(r, status);
+    status_empty(status);
+    if (r->what == COLLECTS)
         return task_end(r->task);
-    }
-    if (r->what >= GENERAL) {
-        if (r->what == MOVES)
-            return end_move(r, status);
-        if (status)
-            status_empty(status);
-        int code = r->query ? r->query(r->extra, status ? status : &r->status) : MPI_SUCCESS;
-        int freed = r->release ? r->release(r->extra) : MPI_SUCCESS;
-        return code ? code : freed;
-    }
+    int code = r->query ? r->query(r->extra, status ? status : &r->status) : MPI_SUCCESS;
+    int freed = r->release ? r->release(r->extra) : MPI_SUCCESS;
+    return code ? code : freed;
+}
+
+/* Of a request that receives nothing, or has before: by MPI_Request_get_status. */
+static inline int end(struct request *r, MPI_Status *status)
+{
+    if (SELDOM(r->what >= GENERAL))
+        return end_other(r, status);
     if (status) {
         int error = status->MPI_ERROR;
         *status = r->status;
@@ -68,14 +71,10 @@ static int end(struct request *r, MPI_Status *status)
 /* The message is in the buffer, or in `packed`. */
 static inline int received(struct request *r, int call, const struct nxm_status *s, MPI_Status *status)
 {
-    if (r->packed && !s->truncated)
+    if (SELDOM(r->packed) && !s->truncated)
         type_unpack(r->packed, (size_t)s->bytes, r->buf, r->count, r->type);
     status_of(r->comm, s, status);
-    if (!s->truncated)
-        return MPI_SUCCESS;
-    return fail(r->comm, call, MPI_ERR_TRUNCATE,
-                "the message of tag %d from rank %d has %ld bytes, but the buffer only %zu", s->tag,
-                group_rank_of(r->comm->peers, s->node), s->bytes, r->room);
+    return SELDOM(s->truncated) ? message_too_long(r->comm, call, s, r->room) : MPI_SUCCESS;
 }
 
 RUN_OFTEN int request_finish(struct request *r, int call, const struct nxm_status *s, MPI_Status *status)
@@ -102,8 +101,8 @@ struct many {
     struct request **request; /* NULL: of no request */
     int *ids;
     struct nxm_status *status;
-    int active, done;                 /* done: those that need not be waited for */
-    int messages, collectives, files; /* of the active ones that are not done */
+    int active, done;                           /* done: those that need not be waited for */
+    int messages, collectives, files, generals; /* of the active ones that are not done */
 };
 
 READ_OFTEN static void *scratch;
@@ -111,13 +110,15 @@ READ_OFTEN static size_t scratch_bytes;
 
 static inline bool is_done(struct request *r)
 {
+    if (USUALLY(r->id)) /* a message under way */
+        return false;
     if (r->what == COLLECTS)
         return task_is_done(r->task);
     if (r->what == MOVES && r->end)
         r->end(r, false);
     if (r->what == MOVES)
         return !r->end;
-    return !r->id && (r->what != GENERAL || r->count);
+    return r->what != GENERAL || r->count;
 }
 
 RUN_OFTEN static int gather(struct many *m, int call, int count, const MPI_Request requests[])
@@ -151,6 +152,7 @@ RUN_OFTEN static int gather(struct many *m, int call, int count, const MPI_Reque
         m->messages += m->ids[i] != 0;
         m->collectives += r->what == COLLECTS && !done;
         m->files += r->what == MOVES && !done;
+        m->generals += r->what == GENERAL && !done;
     }
     return MPI_SUCCESS;
 }
@@ -245,14 +247,6 @@ RUN_OFTEN static int finish_all(const struct many *m, MPI_Request requests[], MP
 
 /* --- the calls --- */
 
-RUN_OFTEN static bool waits_for_general(const struct many *m)
-{
-    for (int i = 0; i < m->count; i++)
-        if (m->request[i] && m->request[i]->what == GENERAL && !is_done(m->request[i]))
-            return true;
-    return false;
-}
-
 static int no_end(int call)
 {
     return fail(NULL, call, MPI_ERR_REQUEST,
@@ -295,7 +289,7 @@ OFTEN_CALL(Waitall, (int count, MPI_Request requests[], MPI_Status statuses[]))
     int code = gather(&m, CALL_Waitall, count, requests);
     if (code)
         return code;
-    if (waits_for_general(&m))
+    if (m.generals)
         return no_end(CALL_Waitall);
     if (m.active > m.done)
         wait_for_all(&m);
@@ -327,7 +321,7 @@ static int wait_any(int call, bool waits, int count, MPI_Request requests[], int
         status_empty(status);
         return MPI_SUCCESS;
     }
-    if (!m.done && waits && waits_for_general(&m) && m.active == 1)
+    if (!m.done && waits && m.generals && m.active == 1)
         return no_end(call);
     if (!m.done && waits)
         wait_for_one(&m, NXM_ANY);
@@ -400,7 +394,7 @@ CALL(Testall, (int count, MPI_Request requests[], int *flag, MPI_Status statuses
     int code = gather(&m, CALL_Testall, count, requests);
     if (code)
         return code;
-    *flag = !waits_for_general(&m) && !m.collectives && !m.files && (!m.messages || complete(&m, NXM_ALL));
+    *flag = !m.generals && !m.collectives && !m.files && (!m.messages || complete(&m, NXM_ALL));
     return *flag ? finish_all(&m, requests, statuses) : MPI_SUCCESS;
 }
 

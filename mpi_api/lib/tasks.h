@@ -17,12 +17,12 @@ bool tasks_go_on_and_complete(const struct nxm_completion *c);
 /* nxm_complete for calls of the program, and of tasks: tasks go on meanwhile. */
 static inline bool tasks_complete(const struct nxm_completion *c)
 {
-    return tasks_under_way ? tasks_go_on_and_complete(c) : nxm_complete(c);
+    return SELDOM(tasks_under_way) ? tasks_go_on_and_complete(c) : nxm_complete(c);
 }
 /* Receives; while tasks are under way, they go on. */
 static inline void tasks_receive(const struct nxm_envelope *e, void *at, size_t room, struct nxm_status *s)
 {
-    if (!tasks_under_way) {
+    if (USUALLY(!tasks_under_way)) {
         nxm_recv(e, at, (long)room, s);
         return;
     }
