@@ -45,7 +45,7 @@ static void run_program(void *arg)
                                   (long)node_libc_envp(n), 0, 0);
     node_enter(n, "exit");
     node_libc_end(n);
-    node_end_here(n, NODE_RETURNED, code);
+    node_end_here(n, n->sys->main_tells ? NODE_EXITED : NODE_RETURNED, code);
 }
 
 /* Does the node's memory, which bounds its program, heap and stack together, hold program and stack? */

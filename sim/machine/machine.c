@@ -149,6 +149,7 @@ static bool make_nodes(struct machine *m, char **error)
     if (m->options.host)
         return make_host(m, error);
     s->flushes = node_image_uses(m->image, "flushmsg") || node_image_uses(m->image, "_flushmsg");
+    s->main_tells = node_image_uses(m->image, "nxm_number");
     s->nodes = xcalloc(s->count, sizeof *s->nodes);
     for (uint32_t i = 0; i < s->count; i++) {
         s->nodes[i] = node_new(s, i, m->image, m->options.argc, m->options.argv, m->options.envp, error);

@@ -9,6 +9,7 @@
 #include "kernel/xalloc.h"
 #include "machine/waits_for.h"
 #include "machine/whereabouts.h"
+#include "nx_api/contract/program_image.h"
 #include "os/end.h"
 #include "replay/orders.h"
 
@@ -23,11 +24,13 @@ static char *exit_text(const struct node *n)
     return text;
 }
 
-/* For reports, which name the line. */
+/* For reports, which name the line: main's, if it has returned. */
 static void note_calls(struct node *n)
 {
     uintptr_t *calls = n->cold->exit_calls;
     int depth = backtrace_walk(n, (uintptr_t)crossing_frame(), calls, NODE_EXIT_CALLS);
+    if (!depth)
+        calls[depth++] = (uintptr_t)n->guest.image->main + 1;
     if (depth < NODE_EXIT_CALLS)
         calls[depth] = 0;
 }

@@ -47,6 +47,7 @@ struct node_system {
     uint32_t count;       /* nodes; with a host program: of its cube, 0 when it has none */
     uint32_t running;     /* programs */
     bool flushes;         /* one of them may throw away messages of others */
+    bool main_tells;      /* what main returns is as if it called exit with that: of MPI programs */
     uint32_t await_ends;  /* os: of them are in calls that wait for another's end */
 
     /* os: the first failure, for the user; NULL none */

@@ -17,7 +17,8 @@ void node_stop(struct node *n, struct instant at);
 void node_end_other(struct node *n, struct node *victim);
 /* The program has crashed at its clock's time, which is committed. */
 void node_end_crashed(struct node *n);
-/* Has its program ended by exit with a status that tells of an error? (What main returns tells of none.) */
+/* Has its program ended by exit with a status that tells of an error? (What main of an old NX program returns
+ * tells of none: main_tells.) */
 static inline bool node_exited_badly(const struct node *n)
 {
     return n->end.how == NODE_EXITED && n->end.exit_code != 0;

@@ -43,3 +43,26 @@ END
 run -q -n 4 mpi_wrong fine
 check "what only looks wrong is no error" test "$status:$(cat out)" = "0:no error"
 equal_results "the errors" -n 4 mpi_wrong overlap
+
+# What main returns, or STOP: of an MPI program it is its status, as mpirun's; of an old NX program nothing.
+cat >returns.c <<'END'
+#include <mpi.h>
+int main(int argc, char **argv)
+{
+    int rank;
+    MPI_Init(&argc, &argv);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Finalize();
+    return rank == 1 ? 3 : 0;
+}
+END
+check "a program whose main returns 3 compiles" bin/mpicc -g -o returns returns.c
+run -q -n 4 returns
+check "what main returned is an exit, with main's line" test "$status:$(sed 's/at [0-9.]* us/at T/' err)" = \
+    "1:touchstone run: node 1 ended at T with exit(3) (returns.c:3)"
+equal_results "main returns 3" -n 4 returns
+run -q -n 1 returns
+check "0 is none" ended_with 0
+echo 'int main(void) { return 3; }' >returns_nx.c
+"$BUILD/nxcc" -o returns_nx returns_nx.c && run -q -n 1 returns_nx
+check "main of an NX program tells of no error" ended_with 0
