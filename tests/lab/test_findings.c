@@ -127,15 +127,15 @@ static void factors_are_said_in_words(void **state)
 {
     (void)state;
     char *text = page("total_s", "");
-    says(text, "1000 to 7.020 from nodes 1 to 2, 142 times faster;");
+    says(text, "1000.00 to 7.02 from nodes 1 to 2, 142 times faster;");
     assert_null(strstr(text, "(x "));
     free(text);
     text = page("wait_s", "");
-    says(text, "7.020 to 1000 from nodes 1 to 2, 142 times higher;");
+    says(text, "7.02 to 1000.00 from nodes 1 to 2, 142 times higher;");
     says(text, "5.000 to 5.000 from nodes 1 to 2, the same;");
     free(text);
     text = page("call_time_s", "");
-    says(text, "2.000 to 24.50 from nodes 1 to 2, 12.2 times slower;");
+    says(text, "2.000 to 24.500 from nodes 1 to 2, 12.2 times slower;");
     says(text, "4.000 to 5.000 from nodes 1 to 2, 25 % more;");
     free(text);
 }

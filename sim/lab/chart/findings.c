@@ -9,6 +9,7 @@
 #include "lab/chart/chart_data.h"
 
 #include <ctype.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -82,17 +83,43 @@ static const char *what(const struct page *p)
                                 : p->picture->figure;
 }
 
-/* Writes v with four significant figures, or more if its whole part has more. */
-static void write_value(FILE *out, double v)
+/* Digits before the point; -1 for 0.01. */
+static int whole_digits(double v)
 {
-    int whole = v == 0 ? 1 : (int)floor(log10(fabs(v))) + 1;
-    fprintf(out, "%.*f", whole >= 4 ? 0 : 4 - whole, v);
+    return v == 0 ? 1 : (int)floor(log10(fabs(v))) + 1;
+}
+
+/* The decimals of a column: four digits for its least figure, unless its largest one would have more than six;
+ * whole parts are never cut. */
+static int decimals_of(const struct page *p, size_t panel, size_t line)
+{
+    enum { DIGITS = 4, MOST_DIGITS = 6 };
+    int least = INT_MAX, most = INT_MIN;
+    for (size_t x = 0; x < p->data->x.count; x++) {
+        double v = chart_at(p->data, panel, line, x);
+        if (isnan(v))
+            continue;
+        int whole = whole_digits(v);
+        least = whole < least ? whole : least;
+        most = whole > most ? whole : most;
+    }
+    if (least > most)
+        return 0;
+    int decimals = DIGITS - least > MOST_DIGITS - most ? MOST_DIGITS - most : DIGITS - least;
+    return decimals > 0 ? decimals : 0;
+}
+
+/* Writes a figure with its column's decimals. */
+static void write_value(const struct page *p, size_t panel, size_t line, size_t x)
+{
+    fprintf(p->out, "%.*f", decimals_of(p, panel, line), chart_at(p->data, panel, line, x));
 }
 
 /* Writes a cell: the figure, or the label of the best axis's value. */
-static void write_cell(const struct page *p, double v)
+static void write_cell(const struct page *p, size_t panel, size_t line, size_t x)
 {
     const struct chart_axis *best = &p->data->best;
+    double v = chart_at(p->data, panel, line, x);
     if (isnan(v)) {
         fputc('-', p->out);
         return;
@@ -102,7 +129,7 @@ static void write_cell(const struct page *p, double v)
             fputs(best->label[i], p->out);
             return;
         }
-    write_value(p->out, v);
+    write_value(p, panel, line, x);
 }
 
 static const char *line_name(const struct page *p, size_t line)
@@ -133,7 +160,7 @@ static void write_table(const struct page *p, size_t panel)
         fprintf(p->out, "| %s |", d->x.label[x]);
         for (size_t line = 0; line < d->lines.count; line++) {
             fputc(' ', p->out);
-            write_cell(p, chart_at(d, panel, line, x));
+            write_cell(p, panel, line, x);
             fputs(" |", p->out);
         }
         fputc('\n', p->out);
@@ -215,9 +242,9 @@ static void say_change(const struct page *p, size_t panel, size_t line)
     double from = chart_at(d, panel, line, first), to = chart_at(d, panel, line, last);
     if (!d->x.numeric || first == last || !(from > 0) || !(to > 0))
         return;
-    write_value(p->out, from);
+    write_value(p, panel, line, first);
     fputs(" to ", p->out);
-    write_value(p->out, to);
+    write_value(p, panel, line, last);
     fprintf(p->out, " from %s %s to %s, ", d->x.name, d->x.label[first], d->x.label[last]);
     say_factor(p, from, to);
     fputs("; ", p->out);
@@ -233,7 +260,7 @@ static void say_best(const struct page *p, size_t panel, size_t line)
     fprintf(p->out, "- %s%s%s: ", d->lines.name, *d->lines.name ? " " : "", line_name(p, line));
     say_change(p, panel, line);
     fprintf(p->out, "%s, ", best_word(p));
-    write_value(p->out, chart_at(d, panel, line, at));
+    write_value(p, panel, line, at);
     fprintf(p->out, ", at %s %s", d->x.name, d->x.label[at]);
     if (from < to && d->x.numeric)
         fprintf(p->out, "; within a tenth of it from %s to %s", d->x.label[from], d->x.label[to]);
