@@ -89,8 +89,8 @@ static int whole_digits(double v)
     return v == 0 ? 1 : (int)floor(log10(fabs(v))) + 1;
 }
 
-/* The decimals of a column: four digits for its least figure, unless its largest one would have more than six;
- * whole parts are never cut. */
+/* The decimals of a column: four digits for its least figure, unless its largest one would have more than
+ * six; whole parts are never cut. */
 static int decimals_of(const struct page *p, size_t panel, size_t line)
 {
     enum { DIGITS = 4, MOST_DIGITS = 6 };
