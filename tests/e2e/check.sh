@@ -63,7 +63,7 @@ gate b.json --only messages halves.cfg
 check "what else is worse does not count then" ended_with 0
 gate b.json --only total halves.cfg
 check "a figure that no point has is an error" ended_with 2
-check "which is named" said '--only total: no point has a figure'
+check "which is named" said '--only total: no point has a figure of that name; there are .*(, |are )total_s'
 gate b.json --json - --github halves.cfg
 check "JSON alone is on standard output" jq -e '.points | length == 2 and all(.verdict == "worse" and (.figures[0] | .verdict == "worse" and .change > 0))' out
 check "the text is on standard error" said '^2 points: 2 worse$'

@@ -42,7 +42,12 @@ check "a program as old as the run: no warning" eval '[ ! -s err ]'
 touch ring
 why t.trace
 check "a program that is younger than its trace is named" eval "grep -q '^touchstone trace why: .*/ring is younger than t.trace: ' err && [ \$status = 0 ]"
+mv ring elsewhere
+why t.trace
+check "a program that has gone is named" eval "grep -q '^touchstone trace why: .*/ring cannot be read: no function or line' err && [ \$status = 0 ]"
+mv elsewhere ring
 touch -r t.trace ring
+why t.trace
 check "ring: where nodes waited" prints 'in crecv at ring.c:15 \(main\), for types 1 to 12 of several nodes, from csend at ring.c:17 \(main\)'
 why --json - t.trace
 check "ring: nothing is unknown" eval "grep -q '\"unknown\": 0' out"

@@ -262,10 +262,13 @@ static size_t failures(const struct gate *g, enum compare_verdict from)
 static bool check_rules(const struct gate *g, char **error)
 {
     const char *unused = compare_rules_unused(&g->rules);
-    if (unused)
-        *error = xasprintf("%s %s: no point has a figure of that name",
-                           unused == g->rules.only ? "--only" : "--tolerance", unused);
-    return !unused;
+    if (!unused)
+        return true;
+    char *figures = compare_rules_figures(&g->rules);
+    *error = xasprintf("%s %s: no point has a figure of that name; there are %s",
+                       unused == g->rules.only ? "--only" : "--tolerance", unused, figures);
+    free(figures);
+    return false;
 }
 
 static enum gate_end finish(struct gate *g, char **error)

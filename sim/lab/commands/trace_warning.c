@@ -4,7 +4,9 @@
 
 void cli_trace_warn(const char *command, const struct trace *t, const char *path)
 {
-    const char *program = trace_younger_program(t, path);
+    const char *missing = trace_missing_program(t), *program = trace_younger_program(t, path);
+    if (missing)
+        cli_say_warning(command, "%s cannot be read: no function or line of it is named", missing);
     if (program)
         cli_say_warning(command,
                         "%s is younger than %s: functions and lines are those of the trace only if the "

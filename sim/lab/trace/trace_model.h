@@ -204,6 +204,8 @@ struct trace_frame {
 /* The file of a program of the run that is younger than the trace, whose path is given: functions and lines
  * are looked up in it, but may be of another program. NULL: there is none. */
 const char *trace_younger_program(const struct trace *t, const char *path);
+/* The file of a program of the run that cannot be read, as one that has gone. NULL: there is none. */
+const char *trace_missing_program(const struct trace *t);
 
 /* The frames of a stack, innermost first, found when first asked for; *count of them. The program's file must
  * still be there: otherwise no frames. */

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 #include "guest/elffile.h"
 #include "guest/layer.h"
 #include "kernel/xalloc.h"
@@ -107,6 +108,15 @@ static bool is_younger(const char *path, const struct timespec *than)
         return false;
     const struct timespec *at = &st.st_mtim;
     return at->tv_sec > than->tv_sec || (at->tv_sec == than->tv_sec && at->tv_nsec > than->tv_nsec);
+}
+
+const char *trace_missing_program(const struct trace *t)
+{
+    const struct trace_stacks *s = t->stacks;
+    for (int i = 0; i < s->program_count; i++)
+        if (access(s->programs[i].path, R_OK))
+            return s->programs[i].path;
+    return NULL;
 }
 
 const char *trace_younger_program(const struct trace *t, const char *path)

@@ -84,6 +84,16 @@ static void classes(struct why *w, FILE *f)
     }
 }
 
+/* Of a table's first column. */
+static int label_width(const struct tally *t, size_t shown)
+{
+    size_t width = 38;
+    for (size_t i = 0; i < shown; i++)
+        if (strlen(t->rows[i].label) > width)
+            width = strlen(t->rows[i].label);
+    return (int)width;
+}
+
 static void shares(struct why *w, enum why_share s, const struct why_report_options *o, FILE *f)
 {
     const struct tally *t = &w->shares[s];
@@ -92,11 +102,13 @@ static void shares(struct why *w, enum why_share s, const struct why_report_opti
     if (!t->count)
         return;
     struct ink ink = ink_for(f);
-    fprintf(f, "\n%sOf the path, by %-24s %10s %7s %9s%s\n", ink.bold, why_share_title(s), u.name, "%",
-            "steps", ink.off);
+    int width = label_width(t, shown);
+    fprintf(f, "\n%sOf the path, by %-*s %10s %7s %9s%s\n", ink.bold, width - 14, why_share_title(s), u.name,
+            "%", "steps", ink.off);
     for (size_t i = 0; i < shown; i++)
-        fprintf(f, "  %-38s %10s %7.2f %9" PRIu64 "\n", t->rows[i].label, why_number(u, t->rows[i].time).text,
-                100 * (double)t->rows[i].time / (double)w->length, t->rows[i].count);
+        fprintf(f, "  %-*s %10s %7.2f %9" PRIu64 "\n", width, t->rows[i].label,
+                why_number(u, t->rows[i].time).text, 100 * (double)t->rows[i].time / (double)w->length,
+                t->rows[i].count);
     more(shown, t->count, f);
 }
 
