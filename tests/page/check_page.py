@@ -208,6 +208,16 @@ def check_orders(b, s, canvas):
     rule("timeline: colours by call", "crecv" in legend() and "csend" in legend(), legend())
     choose("colour by", "function")
     rule("timeline: colours by function", "main" in legend(), legend())
+    computing = b.run("""const t = arguments[0].timeline.trace, times = {};
+        for (const row of t.rows)
+            for (let i = row.first; i < row.first + row.pieces; i++)
+                if (t.activity[i] === 0) {
+                    const name = t.kinds[t.drawn[i]].name, from = i === row.first ? t.start : t.pieceEnd[i - 1];
+                    times[name] = (times[name] || 0) + t.pieceEnd[i] - from;
+                }
+        return times""", canvas)
+    rule("timeline: computing has the colour of the function that worked, not of the next call",
+         computing.get("relax", 0) > 0.8 * sum(computing.values()), computing)
     ActionChains(b.driver).key_down(Keys.SHIFT).move_to_element(canvas).click_and_hold().move_by_offset(200, 0) \
         .release().key_up(Keys.SHIFT).perform()
     told = s.find_element(By.CSS_SELECTOR, ".readout").text

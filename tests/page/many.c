@@ -5,7 +5,7 @@
 
 static double relaxed;
 
-static void relax(int rounds)
+__attribute__((noinline)) static void relax(int rounds)
 {
     for (int i = 0; i < rounds; i++)
         relaxed = (relaxed + i) * 0.5;

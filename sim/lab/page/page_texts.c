@@ -4,10 +4,12 @@
 #include <string.h>
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
+#include "lab/trace/program_places.h"
 #include "observe/json_file.h"
 
 struct page_texts {
     const struct trace *t;
+    struct places *functions;
     json_t *numbers; /* the number of each text */
     json_t *list;
     int32_t *places; /* of each stack: its text's number */
@@ -60,7 +62,8 @@ static void look_up(struct page_texts *p, int32_t stack)
 struct page_texts *page_texts_new(const struct trace *t)
 {
     struct page_texts *p = xcalloc(1, sizeof *p);
-    *p = (struct page_texts){.t = t, .numbers = json_object(), .list = json_array()};
+    *p = (struct page_texts){
+        .t = t, .functions = places_new(t), .numbers = json_object(), .list = json_array()};
     p->called = xcalloc((size_t)t->call_count + 1, sizeof *p->called);
     for (int32_t i = 0; i < t->call_count; i++) {
         p->called[i] = number_of(p, trace_called_name(t, &t->calls[i]));
@@ -73,6 +76,7 @@ struct page_texts *page_texts_new(const struct trace *t)
 
 void page_texts_free(struct page_texts *p)
 {
+    places_free(p->functions);
     json_decref(p->numbers);
     json_decref(p->list);
     free(p->places);
@@ -88,6 +92,12 @@ int32_t page_texts_called(const struct page_texts *p, const struct trace_call *c
 int32_t page_texts_place(const struct page_texts *p, int32_t stack)
 {
     return stack < 0 ? TRACE_NONE : p->places[stack];
+}
+
+int32_t page_texts_worked(struct page_texts *p, const struct trace_around *around)
+{
+    const char *text = places_worker(p->functions, around->before, around->seen, around->after);
+    return *text ? number_of(p, text) : TRACE_NONE;
 }
 
 json_t *page_texts_json(const struct page_texts *p)

@@ -16,6 +16,7 @@ enum { MOST_COLUMNS = 80 };
 struct traced {
     const struct trace *t;
     struct trace_pieces pieces;
+    int32_t *worked; /* by piece: the text of the functions that computed; TRACE_NONE */
     struct page_texts *texts;
     struct page_channels channels;
     struct column columns[MOST_COLUMNS];
@@ -46,6 +47,7 @@ PIECE(call, x->call)
 PIECE(wait, x->state == TRACE_WAITING ? x->wait : TRACE_NONE)
 PIECE(handler, x->in_handler ? x->handler : TRACE_NONE)
 PIECE(system, x->state == TRACE_IN_SYSTEM ? x->system : TRACE_NONE)
+PIECE(worked, traced->worked[x - traced->pieces.list])
 
 CALL(begin, x->begin)
 CALL(end, x->end)
@@ -111,6 +113,7 @@ static void add_pieces(struct traced *d)
     add(d, "piece.wait", COLUMN_I32, n, piece_wait, NULL);
     add(d, "piece.handler", COLUMN_I32, n, piece_handler, NULL);
     add(d, "piece.system", COLUMN_I32, n, piece_system, NULL);
+    add(d, "piece.worked", COLUMN_I32, n, piece_worked, NULL);
     add(d, "system.task", COLUMN_U8, (size_t)d->t->system_count, system_task, NULL);
 }
 
@@ -182,6 +185,20 @@ static json_t *topo_json(const struct topo *t)
                      (int)t->positions, "addresses", (int)t->addresses, "host", t->host);
 }
 
+/* Finds the functions that computed in the pieces of a node, those from `first` on. */
+static void find_worked(struct traced *d, size_t first)
+{
+    const size_t count = d->pieces.count - first;
+    const struct trace_piece *list = &d->pieces.list[first];
+    struct trace_around *around = xcalloc(count, sizeof *around);
+    trace_around(d->t, list, count, around);
+    d->worked = xreallocarray(d->worked, d->pieces.count, sizeof *d->worked);
+    for (size_t i = 0; i < count; i++)
+        d->worked[first + i] =
+            list[i].state == TRACE_COMPUTING ? page_texts_worked(d->texts, &around[i]) : TRACE_NONE;
+    free(around);
+}
+
 /* Fills in the pieces of all nodes, and the nodes' list: which pieces are whose. */
 static json_t *nodes_json(struct traced *d)
 {
@@ -191,6 +208,8 @@ static json_t *nodes_json(struct traced *d)
         size_t first = d->pieces.count;
         if (n->traced)
             trace_pieces(d->t, i, &d->pieces);
+        if (d->pieces.count > first)
+            find_worked(d, first);
         json_append(list,
                     json_pack("{s:o, s:I, s:b, s:I, s:I, s:i, s:i, s:o}", "name", json_text(n->name),
                               "address", (json_int_t)n->address, "traced", n->traced, "first",
@@ -247,6 +266,7 @@ void page_trace_write(const struct trace *t, struct data_blob *b)
     d.count += page_channels_columns(&d.channels, &d.columns[d.count]);
     data_columns_write(b, header, d.columns, d.count);
     free(d.pieces.list);
+    free(d.worked);
     page_channels_free(&d.channels);
     page_texts_free(d.texts);
 }

@@ -228,6 +228,15 @@ struct trace_between {
     bool more; /* there are others, too */
 };
 struct trace_between trace_between(const struct trace *t, int32_t before, int32_t after);
+/* Where the program, or the handler, was around a piece of its node: stacks, or TRACE_NONE. */
+struct trace_around {
+    int32_t before; /* its last call before the piece; TRACE_NONE: it begins */
+    int32_t after;  /* the call of the piece, or the next call, or where the next handler interrupts it */
+    int32_t seen;   /* computing: where a handler beside the piece interrupted it; TRACE_NONE: none did */
+};
+/* Finds it for all `count` pieces of a node. */
+void trace_around(const struct trace *t, const struct trace_piece *list, size_t count,
+                  struct trace_around *around);
 /* What the program called: "csend", or the library's function that did it for the program: "gsync". */
 const char *trace_called_name(const struct trace *t, const struct trace_call *c);
 

@@ -18,8 +18,8 @@ struct walk {
         int32_t message; /* TRACE_NONE: nothing is due */
         vtime at;        /* when the message made the handler due that the walk has come through */
     } due;
-    int32_t jumps_here; /* since `at` has changed */
-    int32_t **calls;    /* by node: program_calls(); NULL: not found yet */
+    int32_t jumps_here;           /* since `at` has changed */
+    struct trace_around **around; /* by node: of its pieces; NULL: not found yet */
 };
 
 /* --- steps --- */
@@ -69,74 +69,17 @@ static enum why_class class_of(const struct trace_piece *p)
     }
 }
 
-/* The stack of the last call that a handler made before a piece of it; TRACE_NONE. */
-static int32_t stack_before(struct walk *w, const struct trace_piece *p)
+/* Where the program was around a piece of the walk's node. Found for all pieces of a node at once: many
+ * handlers may lie between a call and a piece. */
+static const struct trace_around *around(struct walk *w, const struct trace_piece *p)
 {
-    const struct trace_piece *first = piece_map_of(w->map, w->node)->list;
-    for (const struct trace_piece *q = p; q > first && q[-1].in_handler && q[-1].handler == p->handler; q--)
-        if (q[-1].call != TRACE_NONE)
-            return w->t->calls[q[-1].call].stack;
-    return TRACE_NONE;
-}
-
-/* A handler that ran just before, or behind, a piece of the program: where it interrupted it. */
-static int32_t interrupted_at(struct walk *w, const struct trace_piece *p)
-{
-    const struct trace_piece *first = piece_map_of(w->map, w->node)->list,
-                             *end = piece_map_end(w->map, w->node);
-    for (int side = -1; side <= 1; side += 2) {
-        const struct trace_piece *q = p + side;
-        while (q > first && q < end && q->state == TRACE_IN_SYSTEM && !q->in_handler && q->call == TRACE_NONE)
-            q += side;
-        if (q >= first && q < end && q->in_handler && (!p->in_handler || q->handler != p->handler) &&
-            w->t->handlers[q->handler].stack != TRACE_NONE)
-            return w->t->handlers[q->handler].stack;
+    const struct trace_pieces *all = piece_map_of(w->map, w->node);
+    struct trace_around **found = &w->around[w->node];
+    if (!*found) {
+        *found = xcalloc(all->count + 1, sizeof **found);
+        trace_around(w->t, all->list, all->count, *found);
     }
-    return TRACE_NONE;
-}
-
-/* By piece of a node: the stack of the last call before it that the program made outside of handlers. Found
- * once a node: many handlers may lie between a call and a piece. */
-static const int32_t *program_calls(struct walk *w, int32_t node)
-{
-    const struct trace_pieces *p = piece_map_of(w->map, node);
-    int32_t *stacks = w->calls[node], last = TRACE_NONE;
-    if (stacks)
-        return stacks;
-    stacks = w->calls[node] = xcalloc(p->count + 1, sizeof *stacks);
-    for (size_t i = 0; i < p->count; i++) {
-        stacks[i] = last;
-        if (!p->list[i].in_handler && p->list[i].call != TRACE_NONE)
-            last = w->t->calls[p->list[i].call].stack;
-    }
-    return stacks;
-}
-
-/* The stack of the call that the program, or the handler, made last before a piece; TRACE_NONE. */
-static int32_t call_before(struct walk *w, const struct trace_piece *p)
-{
-    if (p->in_handler)
-        return stack_before(w, p);
-    return program_calls(w, w->node)[p - piece_map_of(w->map, w->node)->list];
-}
-
-/* Where the program came to at the end of a piece: the next call's place, or that where the next handler
- * interrupted the program. */
-static int32_t stack_after(struct walk *w, const struct trace_piece *p)
-{
-    const struct trace_piece *end = piece_map_end(w->map, w->node);
-    if (p->call != TRACE_NONE)
-        return w->t->calls[p->call].stack;
-    for (const struct trace_piece *q = p + 1; q < end; q++) {
-        bool other = q->in_handler && (!p->in_handler || q->handler != p->handler);
-        if (p->in_handler && (other || !q->in_handler))
-            break;
-        if (other)
-            return w->t->handlers[q->handler].stack;
-        if (q->call != TRACE_NONE)
-            return w->t->calls[q->call].stack;
-    }
-    return p->in_handler ? stack_before(w, p) : TRACE_NONE;
+    return &(*found)[p - all->list];
 }
 
 /* Goes back over the piece in which the walk is, to `least` at the earliest. */
@@ -148,9 +91,9 @@ static void over_piece(struct walk *w, vtime least)
     s.call = p->call;
     s.handler = p->in_handler ? p->handler : TRACE_NONE;
     s.enters_handler = piece_enters_handler(p);
-    s.stack = stack_after(w, p);
+    s.stack = around(w, p)->after;
     if (p->state == TRACE_COMPUTING)
-        s.before = call_before(w, p), s.seen = interrupted_at(w, p);
+        s.before = around(w, p)->before, s.seen = around(w, p)->seen;
     add(w, vt_max(p->begin, least), s);
 }
 
@@ -298,14 +241,14 @@ struct path path_find(const struct trace *t, struct piece_map *map, const struct
                      .at = t->to,
                      .inside = TRACE_NONE,
                      .due = {TRACE_NONE, 0},
-                     .calls = xcalloc((size_t)t->node_count, sizeof *w.calls)};
+                     .around = xcalloc((size_t)t->node_count, sizeof *w.around)};
     while (w.at > t->from)
         go_back(&w);
     reverse(&w.path);
     check(t, &w.path);
     for (int32_t i = 0; i < t->node_count; i++)
-        free(w.calls[i]);
-    free(w.calls);
+        free(w.around[i]);
+    free(w.around);
     free(w.way.legs);
     return w.path;
 }

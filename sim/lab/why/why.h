@@ -5,7 +5,7 @@
 #ifndef LAB_WHY_H
 #define LAB_WHY_H
 #include "lab/why/critical_path.h"
-#include "lab/why/program_places.h"
+#include "lab/trace/program_places.h"
 #include "lab/why/tally.h"
 #include "lab/why/wait_causes.h"
 

@@ -178,7 +178,7 @@ class Timeline {
                 ? checkbox('hosts on top', false, on => this.orderBy({hostsFirst: on}))
                 : null,
             choice('colour by',
-                [['activity', 'activity'], ['call', 'call'], ['function', 'function of the call']],
+                [['activity', 'activity'], ['call', 'call'], ['function', 'function']],
                 'activity', what => this.colourBy(what)),
             checkbox('messages', this.messages, on => {
                 this.messages = on;

@@ -40,8 +40,8 @@ class Trace {
         this.orderBy('number', false);
     }
     /* What pieces are drawn as, this.drawn[i], is one of this.kinds. By call or function: the eight that
-     * take most of the time have colours. As in touchstone trace why, computing is for the function of
-     * the next call. */
+     * take most of the time have colours. Computing is for the functions that worked, as in touchstone
+     * trace why, and a call for the function that calls. */
     colourBy(what) {
         this.kinds = PIECE_NAMES.map((name, i) => ({name, tone: PIECE_COLOURS[i]}));
         this.drawn = this.activity;
@@ -49,26 +49,27 @@ class Trace {
             this.drawNamed(what);
         this.sumBlocks();
     }
-    callFunction(call) {
-        const place = this.text(this.columns['call.place'][call]).split(',')[0];
-        return place.replace(/\.(part|isra|constprop)\..*/, '') || 'unknown';
+    /* The function's name in the source: GCC calls parts of functions f.part.0 and the like. */
+    callFunction(call) { return this.text(this.columns['call.place'][call]).split(/[,.]/)[0] || 'unknown'; }
+    /* The functions that computed in a piece, "force or main"; '': not known, or it is no computing. */
+    workedText(i) { return this.text(this.columns['piece.worked'][i]); }
+    /* The name that a piece is drawn by; null: none. */
+    drawnName(what, i) {
+        const call = this.columns['piece.call'][i], computes = this.activity[i] < 2;
+        if (what === 'call')
+            return call >= 0 ? this.callName(call) : null;
+        if (computes)
+            return this.workedText(i) || 'unknown';
+        return call >= 0 ? this.callFunction(call) : null;
     }
     drawNamed(what) {
-        const times = new Map(), names = new Array(this.pieceCount).fill(null),
-              calls = this.columns['piece.call'];
-        const byFunction = what === 'function';
+        const times = new Map(), names = new Array(this.pieceCount).fill(null);
         for (const row of this.rows)
-            for (let i = row.first + row.pieces - 1, next = null; i >= row.first; i--) {
-                const named = calls[i] >= 0;
-                if (named)
-                    next = byFunction ? this.callFunction(calls[i]) : this.callName(calls[i]);
-                if (!named && !(byFunction && this.activity[i] === 0))
-                    continue;
-                names[i] = next;
-                const from = i === row.first ? this.start : this.pieceEnd[i - 1];
-                times.set(next, (times.get(next) || 0) + this.pieceEnd[i] - from);
+            for (let i = row.first, from = this.start; i < row.first + row.pieces; from = this.pieceEnd[i++]) {
+                const name = names[i] = this.drawnName(what, i);
+                if (name !== null)
+                    times.set(name, (times.get(name) || 0) + this.pieceEnd[i] - from);
             }
-        times.delete(null); /* computing behind the last call */
         const most = [...times].sort((a, b) => b[1] - a[1]).slice(0, 8).map(([name]) => name);
         const kindOf = new Map(most.map((name, i) => [name, i + 2]));
         this.kinds = [
@@ -197,6 +198,8 @@ class Trace {
             lines.push('The operating system enters or leaves the handler.');
         if (wait >= 0)
             lines.push(this.waitText(wait));
+        if (this.workedText(i))
+            lines.push(`Function: ${this.workedText(i)}`);
         if (call >= 0)
             lines.push('Call: ' + this.callText(call));
         if (handler >= 0)
@@ -211,7 +214,9 @@ class Trace {
         const call = this.columns['piece.call'][i],
               from = i === row.first ? this.start : this.pieceEnd[i - 1];
         return `${row.name}: ${PIECE_NAMES[this.activity[i]]}, ${roughly(this.pieceEnd[i] - from)}` +
-               (call >= 0 ? '\n' + this.callText(call) : '');
+               (call >= 0              ? '\n' + this.callText(call)
+                    : this.workedText(i) ? '\nin ' + this.workedText(i)
+                                         : '');
     }
     waitText(wait) {
         const c = this.columns, flags = c['wait.flags'][wait], from = c['wait.from'][wait];

@@ -1,5 +1,5 @@
 /* program_places.c - see program_places.h. */
-#include "lab/why/program_places.h"
+#include "lab/trace/program_places.h"
 #include <search.h>
 #include <stdio.h>
 #include <stdlib.h>

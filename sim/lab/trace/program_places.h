@@ -1,7 +1,7 @@
 /* program_places.h - places in the program as text. Each different text is made once: equal texts have
  * equal addresses, and last until places_free(). */
-#ifndef LAB_WHY_PROGRAM_PLACES_H
-#define LAB_WHY_PROGRAM_PLACES_H
+#ifndef LAB_TRACE_PROGRAM_PLACES_H
+#define LAB_TRACE_PROGRAM_PLACES_H
 #include "lab/trace/trace_model.h"
 
 struct places;
