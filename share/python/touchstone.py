@@ -113,6 +113,7 @@ class Run:
 
     output    what the programs wrote on standard output and standard error
     status    its exit status: 0; 1 a failure, 2 a deadlock, 3 races
+    outcome   how it ended: "ended", "deadlock" ...
     figures   all that touchstone run --json writes
     nodes     a row a node
     time_s    its virtual time"""
@@ -120,13 +121,16 @@ class Run:
     def __init__(self, figures, output, status):
         self.figures, self.output, self.status = figures, output, status
         self.time_s = figures["virtual_time_s"]
+        self.outcome = figures["outcome"]
         self.nodes = _table([{"node": i, **_flat(node)} for i, node in enumerate(figures["node"])])
 
     def __repr__(self):
-        return f"{self.figures['program']} on {self.figures['nodes']} nodes of {self.figures['machine']}: {self.time_s:.6g} s"
+        text = f"{self.figures['program']} on {self.figures['nodes']} nodes of {self.figures['machine']}: {self.time_s:.6g} s"
+        return text if self.outcome == "ended" else f"{text}, {self.outcome}"
 
     def _repr_html_(self):
-        return f"<p>{html.escape(repr(self))}</p>" + self.nodes._repr_html_()
+        output = f"<pre>{html.escape(self.output)}</pre>" if self.output else ""
+        return f"<p>{html.escape(repr(self))}</p>" + output + self.nodes._repr_html_()
 
 
 def run(program, *arguments, machine=None, nodes=None, set=(), options=()):  # noqa: A002 (as the option is called)
@@ -169,7 +173,7 @@ class Why:
             if key.startswith("by_"):
                 setattr(self, key, _table(rows))
 
-    def __str__(self):
+    def __repr__(self):
         return self.text
 
     def _repr_html_(self):
