@@ -61,6 +61,7 @@ def check_tables(b):
 def check_study(b):
     s = section(b, "Halves")
     show(b, s)
+    rule("study: what its speed-ups are of", f"Baseline of speed-ups: {load('study/results.json')['baseline']}." in s.text, s.text[:300])
     points = [p for p in load("study/results.json")["points"] if not p["failure"]]
     curves = lambda: b.run("return arguments[0].querySelectorAll('svg g[data-series]').length", s)
     markers = lambda: b.run("return arguments[0].querySelectorAll('svg g[data-series] path[transform]').length", s)

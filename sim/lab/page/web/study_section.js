@@ -27,7 +27,11 @@ function isNumeric(values) { return values.length > 1 && values.every(v => typeo
 
 function studySection(data, name) {
     const section = addSection(data.title || 'Study', 'Study: ' + (data.title || baseName(name)),
-        [data.about, `Program ${data.program}; results in ${name}.`].filter(Boolean).join(' '));
+        [
+            data.about, `Program ${data.program}; results in ${name}.`,
+            data.baseline && `Baseline of speed-ups: ${data.baseline}.`
+        ].filter(Boolean)
+            .join(' '));
     const axes = Object.keys(data.axes), figures = studyFigures(data);
     const numeric = axes.filter(a => isNumeric(data.axes[a]));
     section.append(studyFailures(data));
