@@ -51,9 +51,9 @@ show other.json
 check "other JSON is an error that says what is needed" said 'other.json: no report of a deadlock \(touchstone run --deadlock'
 echo '{"a": ' >broken.json
 show broken.json
-check "what is no JSON is named with its line" said 'broken.json:[0-9]+: '
+check "what is no JSON is named with its line, and what is needed" said 'broken.json:[0-9]+: no report of a deadlock \(touchstone run --deadlock'
 show missing.json
-check "a file that is not there" said 'missing.json'
+check "a file that is not there" said '^touchstone deadlock: missing.json cannot be read: No such file or directory$'
 show why.json -o graph.gif
 check "an ending that is none" ended_with 64
 show why.json -o /nowhere/graph.svg

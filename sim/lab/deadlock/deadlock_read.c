@@ -1,5 +1,6 @@
 /* deadlock_read.c - see deadlock_read.h. nx_api/waitfor/waitfor_write_json.c has the form. */
 #include "lab/deadlock/deadlock_read.h"
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
@@ -134,21 +135,25 @@ struct waitfor *deadlock_of_json(const json_t *j)
     return w;
 }
 
+#define NO_REPORT "no report of a deadlock (touchstone run --deadlock FILE, or --json FILE)"
+
 struct waitfor *deadlock_read(const char *path, char **error)
 {
     json_error_t why;
     json_t *j = json_load_file(path, JSON_DECODE_ANY, &why);
+    if (!j && why.line < 0) {
+        *error = xasprintf("%s cannot be read: %s", path, strerror(errno));
+        return NULL;
+    }
     if (!j) {
-        *error = why.line > 0 ? xasprintf("%s:%d: %s", path, why.line, why.text)
-                              : xasprintf("%s: %s", path, why.text);
+        *error = xasprintf("%s:%d: " NO_REPORT ": %s", path, why.line, why.text);
         return NULL;
     }
     struct waitfor *w = deadlock_of_json(j);
     if (!w && (json_is_null(j) || json_object_get(j, "outcome")))
         *error = xasprintf("%s: that run did not end in a deadlock", path);
     else if (!w)
-        *error =
-            xasprintf("%s: no report of a deadlock (touchstone run --deadlock FILE, or --json FILE)", path);
+        *error = xasprintf("%s: " NO_REPORT, path);
     json_decref(j);
     return w;
 }
