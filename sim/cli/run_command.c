@@ -78,7 +78,7 @@ static const struct argp_option OPTIONS[] = {
     {"profile", CLI_TEXT(arguments, profile), "FILE", 0,
      "Write as JSON, and show, where the time went, by function; for programs built with nxcc --profile", 0},
     {"sensitivity", CLI_FLAG(arguments, sensitivity), NULL, 0,
-     "Run again with each number of the machine file changed by 1 %, and show on which ones the time hangs",
+     "Run again with each number of the machine file changed by 1 %, and show on which ones the time depends",
      0},
     {"history", CLI_TEXT(arguments, history), "FILE", 0,
      "Write a line for each message received: picoseconds, sender, receiver, type, length", 0},
