@@ -10,23 +10,29 @@ static bool is_handler_due(const struct waitfor_node *n)
     return n->due && (n->masked || n->in_handler);
 }
 
-/* A message that other nodes' programs have sent, not NX's library. */
-static bool is_program_s(const struct waitfor_message *m)
+bool waitfor_concerns(const struct waitfor_node *n, const struct waitfor_message *m)
 {
-    return !waitfor_operation(m->type);
+    return !waitfor_operation(m->type) &&
+           (!waitfor_is_collective(m->pid) || waitfor_is_collective(n->select.pid));
+}
+
+/* Is the message of the kind for which the node waits: a program's own, or a collective's? */
+static bool is_alike(const struct waitfor_node *n, const struct waitfor_message *m)
+{
+    return waitfor_concerns(n, m) && waitfor_is_collective(m->pid) == waitfor_is_collective(n->select.pid);
 }
 
 /* Is the message selected but for its sender; but for its type? */
 static bool is_wrong_node(const struct waitfor_node *n, const struct waitfor_message *m)
 {
-    return is_program_s(m) && waitfor_type_selected(n->select.typesel, m->type) &&
+    return is_alike(n, m) && waitfor_type_selected(n->select.typesel, m->type) &&
            !waitfor_selects(&n->select, m->type, m->from, m->pid);
 }
 
 /* (What a node has sent to itself is for another of its receives.) */
 static bool is_wrong_type(const struct waitfor_node *n, const struct waitfor_message *m)
 {
-    return is_program_s(m) && m->from != n->number && !waitfor_type_selected(n->select.typesel, m->type) &&
+    return is_alike(n, m) && m->from != n->number && !waitfor_type_selected(n->select.typesel, m->type) &&
            (n->select.node == WAITFOR_ANY || n->select.node == m->from);
 }
 
@@ -114,8 +120,8 @@ static bool waits_for_ended(const struct waitfor *w, const struct waitfor_node *
     return n->who == WAITFOR_NOBODY && n->what == WAITFOR_MESSAGE;
 }
 
-/* In a collective of MPI's, is the awaited rank still to come to the step that its message is of? What other
- * ranks have sent is then for later steps, and no fault. */
+/* In a collective of MPI's, is the awaited rank still to come to the collective, or to the step that its
+ * message is of? What other ranks have sent is then for later steps, and no fault. */
 static bool is_late_in_collective(const struct waitfor *w, const struct waitfor_node *n)
 {
     if (n->what != WAITFOR_MESSAGE || !waitfor_is_collective(n->select.pid) || n->who != WAITFOR_ONE_NODE)
@@ -123,7 +129,7 @@ static bool is_late_in_collective(const struct waitfor *w, const struct waitfor_
     const struct waitfor_node *whom = &w->nodes[n->whom];
     return !waitfor_lives(whom) ||
            (whom->state == WAITFOR_WAITS && whom->what == WAITFOR_MESSAGE &&
-            whom->select.pid == n->select.pid && whom->select.typesel == n->select.typesel);
+            (whom->select.pid != n->select.pid || whom->select.typesel == n->select.typesel));
 }
 
 /* --- the cause --- */

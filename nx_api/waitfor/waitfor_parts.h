@@ -16,6 +16,10 @@ bool waitfor_selects(const struct waitfor_select *s, long type, long from, long 
 /* Of MPI's: is this process type that of a communicator's collectives? */
 bool waitfor_is_collective(long pid);
 
+/* Has the message to do with the node's wait: is it neither of NX's library nor, unless the node is in a
+ * collective of MPI's, of such a one? */
+bool waitfor_concerns(const struct waitfor_node *n, const struct waitfor_message *m);
+
 /* For people: "type 7", "any type", "one of the types 3, 5"; "node 3", "any node", "the host". */
 void waitfor_print_typesel(FILE *f, long typesel);
 /* Of MPI's: is this process type a communicator's? A message's tag, communicator and sender; what to do about

@@ -56,16 +56,11 @@ static void print_difference(FILE *f, const struct waitfor *w, const struct wait
     fputs(type || node || pid ? ")" : m->held_back ? " (there is no room for it)" : "", f);
 }
 
-static bool is_told(const struct waitfor_message *m)
-{
-    return !waitfor_operation(m->type);
-}
-
 static void print_messages(FILE *f, const struct waitfor *w, const struct waitfor_node *n)
 {
     uint64_t count = n->more_messages, told = 0;
     for (size_t i = 0; i < n->message_count; i++)
-        count += is_told(&n->messages[i]);
+        count += waitfor_concerns(n, &n->messages[i]);
     if (!count)
         return;
     if (count == 1)
@@ -74,7 +69,7 @@ static void print_messages(FILE *f, const struct waitfor *w, const struct waitfo
         fprintf(f, "\n%" PRIu64 " messages are here: ", count);
     for (size_t i = 0; i < n->message_count && told < MOST_TOLD; i++) {
         const struct waitfor_message *m = &n->messages[i];
-        if (!is_told(m))
+        if (!waitfor_concerns(n, m))
             continue;
         fputs(told++ ? ", " : "", f);
         print_wanted(
@@ -392,24 +387,33 @@ static const char *remedy_for_exit(struct waitfor *w)
     return waitfor_text(w, text);
 }
 
-/* The first node that waits for a reason of its own, as its mailbox or a full one shows; NULL: none. */
+/* Is it in a collective of MPI's? */
+static bool waits_in_collective(const struct waitfor_node *n)
+{
+    return n->what == WAITFOR_MESSAGE && waitfor_is_collective(n->select.pid);
+}
+
+/* The first node that waits for a reason of its own, as its mailbox or a full one shows; NULL: none. In a
+ * collective what the mailbox shows follows from which members have come. */
 static const struct waitfor_node *waits_by_itself(const struct waitfor *w)
 {
-    for (uint32_t i = 0; i < w->count; i++)
-        if (w->nodes[i].state == WAITFOR_WAITS && w->nodes[i].cause < WAITFOR_NODE_HAS_ENDED)
-            return &w->nodes[i];
+    for (uint32_t i = 0; i < w->count; i++) {
+        const struct waitfor_node *n = &w->nodes[i];
+        if (n->state == WAITFOR_WAITS && n->cause < WAITFOR_NODE_HAS_ENDED && !waits_in_collective(n))
+            return n;
+    }
     return NULL;
 }
 
-/* An orphan's message may be one that such a node would send next. */
-static const char *remedy_for_orphan(struct waitfor *w)
+/* That one should look at such a node first, and why; NULL: there is none. */
+static const char *look_first(struct waitfor *w, const char *which)
 {
     const struct waitfor_node *first = waits_by_itself(w);
     if (!first)
         return NULL;
     char text[120];
-    snprintf(text, sizeof text, "Look at %s first (%s), which may be to send it.", first->name,
-             waitfor_cause_name(first->cause));
+    snprintf(text, sizeof text, "Look at %s first (%s), which %s.", first->name,
+             waitfor_cause_name(first->cause), which);
     return waitfor_text(w, text);
 }
 
@@ -453,7 +457,9 @@ static bool may_be_of_exit(enum waitfor_cause c)
 
 void waitfor_find_reasons(struct waitfor *w)
 {
-    const char *exit = remedy_for_exit(w), *orphan = remedy_for_orphan(w);
+    /* An orphan's message may be one that the node to look at would send next. */
+    const char *exit = remedy_for_exit(w), *orphan = look_first(w, "may be to send it"),
+               *collective = look_first(w, "does not wait in a collective");
     struct reasons r = {w, waitfor_choose(w, lives, NULL), waitfor_choose(w, has_ended, NULL), NULL, 0};
     for (uint32_t i = 0; i < w->count; i++) {
         struct waitfor_node *n = &w->nodes[i];
@@ -462,6 +468,8 @@ void waitfor_find_reasons(struct waitfor *w)
         n->why = why(&r, n);
         if (exit && may_be_of_exit(n->cause))
             n->remedy = exit;
+        else if (collective && waits_in_collective(n) && n->cause != WAITFOR_NODE_HAS_ENDED)
+            n->remedy = collective;
         else
             n->remedy = orphan && n->cause == WAITFOR_ORPHAN ? orphan : remedy(w, n);
     }

@@ -120,6 +120,11 @@ run -q -n 4 --mpi-checks mpi_nodes long
 check "a message too long: both calls" grep -qE 'MPI: message longer than its receive: MPI_[A-Z][a-z]+ at mpi_nodes\.c:[0-9]+ and MPI_Recv at mpi_nodes\.c:[0-9]+: node 0 sends 9 bytes, node 1 has room for 2, with tag 9 in MPI_COMM_WORLD' err
 run -q -n 2 unfit wait
 check "a deadlock: who has come to MPI_Finalize is said to be there" said "node 0: MPI_Finalize\(1\) since .* \($(line unfit.c 'MPI_Finalize')\)"
+check "what a collective has sent is no wrong message for a receive" eval '! said "wrong type|message is here"'
+run -q -n 4 unfit tag
+check "a wrong tag: only the message that has it is named" said "^      1 message is here: tag 5 in MPI_COMM_WORLD from node 0 \(it wants tag 6"
+check "who waits in the collective is led to it" said "^    Look at node 1 first \(wrong type\), which does not wait in a collective"
+check "no other has a wrong message" [ "$(grep -c '^    wrong ' err)" = 1 ]
 for n in 4 8; do
     run -q -n $n unfit end
     check "$n nodes, one of which ends before MPI_Finalize: others' messages of it are no wrong ones" eval '! said "wrong node"'

@@ -24,6 +24,10 @@ int main(int argc, char **argv)
     }
     if (strcmp(how, "wait") == 0 && rank == 1)
         MPI_Recv(&x, 1, MPI_INT, 0, 5, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    if (strcmp(how, "tag") == 0 && rank == 0)
+        MPI_Send(&x, 1, MPI_INT, 1, 5, MPI_COMM_WORLD);
+    if (strcmp(how, "tag") == 0 && rank == 1)
+        MPI_Recv(&x, 1, MPI_INT, 0, 6, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     if (strcmp(how, "end") == 0 && rank == 0)
         return 0;
     MPI_Finalize();
