@@ -104,7 +104,11 @@ why --rerun -o answers many.trace
 check "--rerun: all that may be free" test "$(grep -c '  would .* if ' answers)" = 7
 check "--rerun: nothing failed" eval '! grep -q "no answer" answers'
 why --set system.nothing=0 many.trace
-check "--set: a wrong key is that row's answer" prints 'no answer with system.nothing=0: .*nothing'
+check "--set: a wrong key is the user's mistake: exit status" ended_with 64
+check "--set: a wrong key is refused before any run" eval "said 'system.nothing=0: nothing: unknown key' && ! said done && [ ! -s out ]"
+why --set node.memory_mb=2 --set node.system_kb=1024 --set node.stack_kb=1000 many.trace
+check "--set: a re-run that fails is that row's answer" prints 'no answer with node.memory_mb=2,'
+check "--set: a re-run that fails: exit status" ended_with 65
 check "no other file is left" test "$(echo answers*)" = answers
 cp served before && "$BUILD/nxcc" -O0 -o served "$tests/served.c"
 why --rerun many.trace

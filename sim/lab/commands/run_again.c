@@ -77,6 +77,24 @@ bool run_again_from(const struct trace *t, const struct cli_installation *places
     return good;
 }
 
+char *run_again_refuses(const struct run_again *again, const struct cli_installation *places,
+                        const char *const set[])
+{
+    size_t count = 0;
+    const char **all = xcalloc((size_t)count_of(again->options) + 1, sizeof *all);
+    for (char **o = again->options; o[0] && o[1]; o++)
+        if (!strcmp(o[0], "--set"))
+            all[count++] = *++o;
+    for (; *set; set++) {
+        all = xreallocarray(all, count + 2, sizeof *all);
+        all[count++] = *set, all[count] = NULL;
+    }
+    char *error = NULL;
+    cfg_free(cfg_load_with(again->machine, places->machines, all, &error));
+    free(all);
+    return error;
+}
+
 void run_again_free(struct run_again *again)
 {
     free(again->options);

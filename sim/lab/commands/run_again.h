@@ -22,5 +22,8 @@ bool run_again_of(const struct cli_run_parts *parts, const char *folder,
 /* The command of a trace, which must outlive *again. */
 bool run_again_from(const struct trace *t, const struct cli_installation *places, struct run_again *again,
                     char **error);
+/* Can the machine take these settings, ended by NULL, behind those of the command? If not: why, malloc'd. */
+char *run_again_refuses(const struct run_again *again, const struct cli_installation *places,
+                        const char *const set[]);
 void run_again_free(struct run_again *again);
 #endif

@@ -18,6 +18,7 @@
 #include "observe/json_file.h"
 
 enum { TOP = CLI_KEY, SET, CPU, USUAL_TOP = 10 };
+enum { USAGE = 64 };
 
 struct arguments {
     const char *path, *than, *output, *json;
@@ -71,7 +72,8 @@ static const char DOC[] =
     "Exit status:\n"
     "  0   done\n"
     "  64  wrong arguments\n"
-    "  65  a trace cannot be used, or its command cannot be run again\n"
+    "  65  a trace cannot be used, or its command cannot be run again; or a re-run failed: its row has no "
+    "answer\n"
     "  74  the result cannot be written\n\n"
     "Example:\n"
     "  touchstone run -m delta -n 128 --trace slow.trace app/model -group 128\n"
@@ -135,6 +137,10 @@ static int run_again(const struct arguments *a, const struct trace *t, struct re
     struct run_again again;
     if (!run_again_from(t, &places, &again, &error))
         return failed(error, CLI_EXIT_INPUT);
+    if ((error = run_again_refuses(&again, &places, a->set))) {
+        run_again_free(&again);
+        return failed(error, USAGE);
+    }
     struct rerun_options o = {.command = again.command,
                               .cfg = again.cfg,
                               .set = a->set,
@@ -171,6 +177,14 @@ static int write_all(const struct arguments *a, struct why *w, const struct why_
     return error ? failed(error, OUTPUT) : 0;
 }
 
+static bool all_answer(const struct reruns *r)
+{
+    for (size_t i = 0; i < r->count; i++)
+        if (!r->list[i].done)
+            return false;
+    return true;
+}
+
 static int explain(const struct arguments *a)
 {
     struct why *w = why_of(a->path, &a->select), *than = NULL;
@@ -183,6 +197,8 @@ static int explain(const struct arguments *a)
     struct why_report_options o = {.top = a->top, .reruns = a->rerun ? &reruns : NULL, .than = than};
     if (!status)
         status = write_all(a, w, &o);
+    if (!status && !all_answer(&reruns))
+        status = CLI_EXIT_INPUT;
     reruns_free(&reruns);
     why_free(than);
     why_free(w);
