@@ -128,6 +128,23 @@ awaited grep -q 'is lost: links/added' err
 check "its result is not written through a link" bash -c 'grep -q "is lost: links/added" err && [ ! -e elsewhere ]'
 end INT
 
+# A study whose folder may only be read: the result of a run would be lost, so there is no run.
+cp -r study readable
+rm -r readable/added
+chmod -R a+rX,a-w readable
+chmod a+rX . prog ./*.cfg
+printf '#!/bin/sh\n[ "$(id -u)" != 0 ] || exec setpriv --reuid 65534 --regid 65534 --clear-groups "%s" "$@"\nexec "%s" "$@"\n' "$touchstone" "$touchstone" >reader
+chmod a+rx reader
+if ./reader --version >out 2>&1; then
+    touchstone=$work/reader begin readable
+    post '/points?study=0' '{"values": {"nodes": 4, "share": 0.25, "case": "short"}}'
+    check "a study that may only be read takes no point" grep -q '"error":"readable/added/journal cannot be written.*Permission denied' out
+    end TERM
+else
+    echo "skip a study that may only be read: another user cannot run $touchstone"
+fi
+chmod -R u+w readable
+
 # Wrong use.
 limited "$touchstone" serve none >out 2>err </dev/null
 status=$?
@@ -136,7 +153,7 @@ check "is said" said '^touchstone serve: none: '
 limited "$touchstone" serve --address 999.1.1.1 study >out 2>err </dev/null
 check "no such address is said" said "^touchstone serve: '999.1.1.1' is no address"
 begin --address 0.0.0.0 study
-check "an address that others reach is warned of" said '^touchstone serve: warning: other computers can reach 0.0.0.0'
+check "an address that others reach is warned of" said '^touchstone serve: warning: other computers can reach 0.0.0.0: for localhost they write '"$(hostname), "
 end INT
 
 # As a person uses it.

@@ -1,6 +1,8 @@
 /* serve_command.c - touchstone serve: results in a browser, live. */
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 #include "lab/commands/lab_commands.h"
 #include "cli/host_files.h"
 #include "cli/installation.h"
@@ -66,12 +68,22 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 static void warn(const char *address)
 {
-    if (!listening_is_local(address))
+    char name[HOST_NAME_MAX + 1] = "its name";
+    if (listening_is_everywhere(address)) {
+        gethostname(name, sizeof name);
+        cli_say_warning(
+            "serve",
+            "warning: other computers can reach %s: for localhost they write %s, or this computer's "
+            "IP address; nothing is encrypted, and whoever learns the token can run the study's "
+            "program",
+            address, name);
+    } else if (!listening_is_local(address)) {
         cli_say_warning(
             "serve",
             "warning: other computers can reach %s; nothing is encrypted, and whoever learns the token can "
             "run the study's program",
             address);
+    }
 }
 
 int cli_serve(int argc, char **argv)

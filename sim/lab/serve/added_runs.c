@@ -117,7 +117,7 @@ enum added_answer added_runs_ask(struct added_runs *r, struct live_study *study,
     struct point_request_places places = {r->places.runner, r->places.machines, r->scratch.path,
                                           r->latest + 1};
     bool same = false;
-    if (!point_request_read(&p, study->note, request, &places, error))
+    if (!live_study_can_add(study, error) || !point_request_read(&p, study->note, request, &places, error))
         return ADDED_WRONG;
     unsigned waiting = under_way(r, study, p.key, &same);
     bool known = same || live_study_has(study, p.values, p.set);

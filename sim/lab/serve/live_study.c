@@ -222,13 +222,40 @@ bool live_study_has(const struct live_study *s, const json_t *values, const json
     return has;
 }
 
+static bool open_added(struct live_study *s)
+{
+    if (s->added < 0)
+        s->added = study_folder_open(s->folder, ADDED, true);
+    return s->added >= 0;
+}
+
+/* (What is wrong with a journal that is there and no file, live_study_add() says.) */
+bool live_study_can_add(struct live_study *s, char **error)
+{
+    bool can = open_added(s) && (faccessat(s->added, JOURNAL, W_OK, AT_EACCESS) == 0 ||
+                                 (errno == ENOENT && faccessat(s->added, ".", W_OK, AT_EACCESS) == 0));
+    if (!can)
+        *error =
+            xasprintf("%s/%s/%s cannot be written, so no point can be added: %m", s->name, ADDED, JOURNAL);
+    return can;
+}
+
+/* The error, which names the folder by dir, a path of this process alone: by the name that the user gave. */
+static char *as_the_user_names_it(const struct live_study *s, const char *dir, char *error)
+{
+    size_t n = strlen(dir);
+    if (strncmp(error, dir, n) != 0)
+        return error;
+    char *named = xasprintf("%s/%s%s", s->name, ADDED, error + n);
+    free(error);
+    return named;
+}
+
 bool live_study_add(struct live_study *s, struct digest key, json_t *record, FILE *notes, char **error)
 {
     struct stat st;
-    if (s->added < 0)
-        s->added = study_folder_open(s->folder, ADDED, true);
     bool link =
-        s->added >= 0 && fstatat(s->added, JOURNAL, &st, AT_SYMLINK_NOFOLLOW) == 0 && !S_ISREG(st.st_mode);
+        open_added(s) && fstatat(s->added, JOURNAL, &st, AT_SYMLINK_NOFOLLOW) == 0 && !S_ISREG(st.st_mode);
     if (s->added < 0 || link)
         return *error = xasprintf("%s/%s: %s", s->name, ADDED, link ? "journal is no file" : strerror(errno)),
                false;
@@ -237,6 +264,8 @@ bool live_study_add(struct live_study *s, struct digest key, json_t *record, FIL
     bool failed = json_object_get(record, "failure");
     bool ok = j && journal_add(j, key, failed ? LINE_FAILED : LINE_DONE, record, true, error);
     journal_close(j);
+    if (!ok)
+        *error = as_the_user_names_it(s, dir, *error);
     free(dir);
     live_study_look(s);
     return ok;

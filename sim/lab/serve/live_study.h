@@ -45,6 +45,8 @@ json_t *live_study_data(const struct live_study *s);
 json_t *live_study_results_with_added(const char *dir);
 /* Has it a result of the point with these values and settings? */
 bool live_study_has(const struct live_study *s, const json_t *values, const json_t *set);
+/* Can the record of a point be written into its folder? False with *error malloc'd. */
+bool live_study_can_add(struct live_study *s, char **error);
 /* Adds the record of a point. False with *error malloc'd. */
 bool live_study_add(struct live_study *s, struct digest key, json_t *record, FILE *notes, char **error);
 #endif
