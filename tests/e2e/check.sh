@@ -64,6 +64,9 @@ check "what else is worse does not count then" ended_with 0
 gate b.json --only total halves.cfg
 check "a figure that no point has is an error" ended_with 2
 check "which is named" said '--only total: no point has a figure of that name; there are .*(, |are )total_s'
+gate b.json --only total_s --github halves.cfg
+sed -n 's/^::error.*(+\([0-9.]*\) %25.*/\1/p' out >changes
+check "the worst annotation first, too: GitHub shows ten" test "$(wc -l <changes)" = 2 -a "$(cat changes)" = "$(sort -rn changes)"
 gate b.json --json - --github halves.cfg
 check "JSON alone is on standard output" jq -e '.points | length == 2 and all(.verdict == "worse" and (.figures[0] | .verdict == "worse" and .change > 0))' out
 check "the text is on standard error" said '^2 points: 2 worse$'

@@ -165,18 +165,22 @@ static int worst_first(const void *a, const void *b)
     return p != q ? (p < q ? 1 : -1) : (*x)->order < (*y)->order ? -1 : 1;
 }
 
-/* In full; of one figure, or of many points, in a line each. */
-static void print_all(const struct gate *g, FILE *out)
+static struct compare_point **sort_worst_first(const struct gate *g)
 {
     struct compare_point **sorted = xcalloc(g->count + 1, sizeof *sorted);
     memcpy(sorted, g->points, g->count * sizeof *sorted);
     qsort(sorted, g->count, sizeof *sorted, worst_first);
+    return sorted;
+}
+
+/* In full; of one figure, or of many points, in a line each. */
+static void print_all(const struct gate *g, struct compare_point *const sorted[], FILE *out)
+{
     for (size_t i = 0; i < g->count && sorted[i]->verdict != COMPARE_SAME; i++)
         if (i < MOST_TOLD && !g->rules.only)
             compare_print(sorted[i], out);
         else
             compare_print_short(sorted[i], out);
-    free(sorted);
 }
 
 static bool all_same(const struct gate *g, const char *study)
@@ -276,11 +280,13 @@ static enum gate_end finish(struct gate *g, char **error)
     FILE *out = g->options->study.out;
     if (!check_rules(g, error))
         return GATE_ERROR;
-    print_all(g, out);
+    struct compare_point **sorted = sort_worst_first(g);
+    print_all(g, sorted, out);
     print_compilers(g, out);
     print_counts(g, out);
-    if (g->options->github)
-        compare_write_github(g->points, g->count, out);
+    if (g->options->github) /* GitHub shows the first ten of a step */
+        compare_write_github(sorted, g->count, out);
+    free(sorted);
     fflush(out);
     if (!write_file(g, g->options->junit, junit_write, error) ||
         !write_file(g, g->options->json, compare_write_json, error))
