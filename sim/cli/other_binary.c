@@ -9,6 +9,8 @@
 #include "cli/options.h"
 #include "lp/engine.h"
 
+static const char LAB[] = "touchstone-lab";
+
 bool cli_own_path(char *path, size_t size)
 {
     ssize_t length = readlink("/proc/self/exe", path, size - 1);
@@ -30,6 +32,14 @@ int cli_execute(const char *binary, char **argv)
         execv(path, argv);
     }
     *slash = '\0';
+    if (errno == ENOENT && !strcmp(binary, LAB)) {
+        fprintf(
+            stderr,
+            "touchstone %s: this needs touchstone-lab, which is not installed with this touchstone: install "
+            "the package touchstone-lab that make deb has built with touchstone's\n",
+            argv[1]);
+        return CLI_EXIT_INPUT;
+    }
     fprintf(stderr, "touchstone: %s cannot be run from %s: %s; is the installation complete?\n", binary, path,
             strerror(errno));
     return CLI_EXIT_INPUT;
@@ -41,7 +51,7 @@ int cli_hand_to_lab(char **argv)
     if (!cli_own_path(self, sizeof self))
         return CLI_EXIT_INPUT;
     argv[0] = self;
-    return cli_execute("touchstone-lab", argv);
+    return cli_execute(LAB, argv);
 }
 
 bool cli_is_other_engine(const char *engine)

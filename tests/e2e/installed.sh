@@ -14,6 +14,12 @@ installed --version
 check "the commit" grep -qxF "commit $(cat "$BUILD/node/commit")" out
 check "completions" test -s "$work/prefix/share/bash-completion/completions/nxf77" -a -s "$work/prefix/share/zsh/site-functions/_touchstone" -a -s "$work/prefix/share/fish/vendor_completions.d/touchstone.fish"
 
+mv "$came/touchstone-lab" kept-lab
+installed study s.cfg
+check "without touchstone-lab: which package has it" said '^touchstone study: this needs touchstone-lab, which is not installed .*package touchstone-lab'
+check "without touchstone-lab: status" ended_with 65
+mv kept-lab "$came/touchstone-lab"
+
 installed run -n 2 app/model -help
 cp out help
 check "run: a program that comes with touchstone" ended_with 0
