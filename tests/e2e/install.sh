@@ -71,6 +71,7 @@ share/touchstone/schemas/...
 share/zsh/site-functions/...
 END
 check "the files are those that are expected" diff expected <(kinds)
+check "licence and NOTICE are among them" test -s "$stage/opt/nx/share/doc/touchstone/LICENSE" -a -s "$stage/opt/nx/share/doc/touchstone/NOTICE"
 headers() { diff <(cd "$root/nx_api/include" && find . -type f | sort) <(cd "$stage/opt/nx/share/touchstone/include" && find . -type f | sort); }
 check "all headers are among them" headers
 host_programs() { for file in bin/touchstone bin/nxcc lib/touchstone/touchstone-reference lib/touchstone/touchstone-lab lib/touchstone/count.so; do echo "$stage/opt/nx/$file"; done; }
