@@ -199,8 +199,8 @@ static void take_for_gcc(struct arguments *a, const char *argument)
 struct arguments arguments_read(int argc, char **argv)
 {
     static const char *const with_value[] = {
-        "-o",       "-D",       "-U",       "-I",         "-L",      "-l",      "-x",
-        "-include", "-isystem", "-MF",      "-MT",        "-MQ",     "-iquote", "-Xlinker",
+        "-o",       "-D",       "-U",       "-I",         "-l",      "-x", "-include",
+        "-isystem", "-MF",      "-MT",      "-MQ",        "-iquote", "-Xlinker",
         "-T",       "-u",       "-imacros", "-idirafter", "--param", "-J",      NULL};
     struct arguments a = {
         .costs = DEFAULT_COSTS, .links = true, .stub_values = "", .mpi_program = intel_is_mpi_name()};
@@ -215,6 +215,8 @@ struct arguments arguments_read(int argc, char **argv)
             enum kind kind = strcmp(argv[i], "-o") ? OPTION : OUTPUT;
             add_kind(&a, argv[i], kind);
             add_kind(&a, argv[++i], kind);
+        } else if (!strcmp(argv[i], "-L") && i + 1 < argc) {
+            add(&a, text("-L%s", argv[++i]));
         } else {
             take_for_gcc(&a, argv[i]);
         }

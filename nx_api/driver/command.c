@@ -177,6 +177,30 @@ static void add_link(struct arguments *a, const struct places *p)
 
 /* --- all of it --- */
 
+static bool names_host_libraries(const char *option)
+{
+    static const char *const folders[] = {"-L/usr/lib", "-L/usr/local/lib", "-L/lib", NULL};
+    for (const char *const *folder = folders; *folder; folder++)
+        if (!strncmp(option, *folder, strlen(*folder)))
+            return true;
+    return false;
+}
+
+/* The stand-ins must be found before the host's libraries, but behind those that the user made for nodes: a
+ * zlib of theirs has all that the stand-in lacks. */
+static void add_users(struct arguments *a, const struct arguments *user, const struct places *p, bool link)
+{
+    bool stand_ins = link && !user->mpi, fortran = has_kind(user, FORTRAN_FILE);
+    for (int last = 0; last <= stand_ins; last++) {
+        if (last)
+            add(a, text("-L%s", p->lib));
+        for (size_t i = 0; i < user->count; i++)
+            if ((fortran || user->gcc[i].kind != FORTRAN_OPTION) &&
+                (!stand_ins || names_host_libraries(user->gcc[i].text) == last))
+                add(a, user->gcc[i].text);
+    }
+}
+
 const char **command(const struct arguments *user, const struct places *p, bool link)
 {
     bool mpi = user->mpi, fortran = has_kind(user, FORTRAN_FILE);
@@ -184,17 +208,13 @@ const char **command(const struct arguments *user, const struct places *p, bool 
     add(&a, mpi ? cluster_program(link) : NXCC_GCC);
     if (!mpi)
         add_plugin(&a, p);
-    if (!mpi && link)
-        add(&a, text("-L%s", p->lib)); /* the stand-ins must be found before the host's libraries */
     if (!mpi) /* no array lies beyond the stack's guard pages; programs that switch stacks by alloca say no */
         add(&a, "-fstack-clash-protection");
     if (fortran)
         add_fortran(&a);
     else
         add_c(&a);
-    for (size_t i = 0; i < user->count; i++)
-        if (fortran || user->gcc[i].kind != FORTRAN_OPTION)
-            add(&a, user->gcc[i].text);
+    add_users(&a, user, p, link);
     if (mpi)
         cluster_add_compile(&a, p);
     else

@@ -40,6 +40,19 @@ echo 'double other(double x) { return x + 1; }' >other.c
 several() { "$NXCC" -O2 -c other.c && "$NXCC" -O2 -o hello hello.c other.o -lm -lz -node; }
 check "a program is made from sources and objects, with -lm -lz and NX's own -node" several
 
+echo 'int only_here(void) { return 0; }' >own.c
+echo 'int only_here(void); int main(void) { return only_here(); }' >owner.c
+own_zlib() {
+    mkdir own && "$NXCC" -O2 -c own.c && ar rc own/libz.a own.o && "$NXCC" -Lown -o owner owner.c -lz &&
+        "$NXCC" -L own -o owner owner.c -lz
+}
+check "a library that the user made for nodes goes before the stand-in of its name" own_zlib
+hosts=$(dirname "$(gcc -print-file-name=libz.so)")
+hosts_zlib() {
+    "$NXCC" -O2 "-L$(realpath "$hosts")" -o hello hello.c other.o -lm -lz && ! readelf -dW hello | grep NEEDED | grep -v libnode
+}
+check "and the stand-ins before the host's, though their folder is named" hosts_zlib
+
 shell() { ./hello >said 2>&1; [ $? = 126 ] && grep -q "touchstone run" said; }
 check "started in a shell it says how to run it" shell
 
