@@ -199,9 +199,8 @@ static void take_for_gcc(struct arguments *a, const char *argument)
 struct arguments arguments_read(int argc, char **argv)
 {
     static const char *const with_value[] = {
-        "-o",       "-D",       "-U",       "-I",         "-l",      "-x", "-include",
-        "-isystem", "-MF",      "-MT",      "-MQ",        "-iquote", "-Xlinker",
-        "-T",       "-u",       "-imacros", "-idirafter", "--param", "-J",      NULL};
+        "-o",  "-D",      "-U",       "-I", "-l", "-x",       "-include",   "-isystem", "-MF", "-MT",
+        "-MQ", "-iquote", "-Xlinker", "-T", "-u", "-imacros", "-idirafter", "--param",  "-J",  NULL};
     struct arguments a = {
         .costs = DEFAULT_COSTS, .links = true, .stub_values = "", .mpi_program = intel_is_mpi_name()};
     for (int i = 1; i < argc; i++)
