@@ -109,19 +109,24 @@ check "a program's own routines are called" prints '           4\nab\n'
 cat >few_mpi.f <<'END'
       include 'mpif.h'
       character*20 text(2)
+      character, allocatable :: letters(:)
       call mpi_init(ierr)
       call mpi_bcast(text, 40, MPI_CHARACTER, 0, MPI_COMM_WORLD)
       call pmpi_recv(n, 1, MPI_INTEGER, 0, 0, MPI_COMM_WORLD, ierr)
       call mpi_bcast(text(2), 20, MPI_CHARACTER, 0, MPI_COMM_WORLD, i)
       call mpi_get_processor_name(text(1), n, ierr)
+      allocate (letters(9))
+      call mpi_bcast(letters, 9, MPI_CHARACTER, 0, MPI_COMM_WORLD, i)
+      call mpi_bcast(letters, 9, MPI_CHARACTER, i)
       call mpi_pcontrol(1, 2, 3)
       call mpi_finalize(ierr)
       end
 END
 counts_mpi() { ! nxf77 -lmpi -o few_mpi few_mpi.f && diff - compile.err; }
 check "calls of MPI with too few arguments" counts_mpi <<'END'
-nxf77: mpi_bcast takes 6 arguments, here are 5: few_mpi.f:4
-nxf77: pmpi_recv takes 8 arguments, here are 7: few_mpi.f:5
+nxf77: mpi_bcast takes 6 arguments, here are 5: few_mpi.f:5
+nxf77: pmpi_recv takes 8 arguments, here are 7: few_mpi.f:6
+nxf77: mpi_bcast takes 6 arguments, here are 4: few_mpi.f:11
 END
 for module in mpi mpi_f08; do
     printf '%s\n' 'program enough' "use $module" 'character(20) text' 'call mpi_init(ierr)' \

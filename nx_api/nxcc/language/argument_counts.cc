@@ -35,28 +35,41 @@ std::string name_of(tree function)
     return name.substr(0, name.size() - 1);
 }
 
-bool is_character(tree argument)
+/* What an argument by address is: its type, without an array around it; NULL: it is by value. */
+tree pointed_to(tree argument)
 {
     tree type = TREE_TYPE(argument);
     if (!POINTER_TYPE_P(type))
-        return false;
+        return NULL;
     type = TREE_TYPE(type);
     while (TREE_CODE(type) == ARRAY_TYPE)
         type = TREE_TYPE(type);
-    return TREE_CODE(type) == INTEGER_TYPE && TYPE_STRING_FLAG(type);
+    return type;
 }
 
-/* How many arguments are the program's: behind them, there is a length for each CHARACTER. -1: this is not
- * to be seen. */
+/* Can the first GIVEN be the program's arguments? Behind them there is a length, by value, for each CHARACTER
+ * among them. An array that was allocated has lost its type here: it is one of CHARACTERs, or of others. */
+bool can_be_given(gcall *call, int given)
+{
+    int all = gimple_call_num_args(call), lengths = all - given, characters = 0, unknown = 0;
+    for (int i = 0; i < all; i++) {
+        tree type = pointed_to(gimple_call_arg(call, i));
+        if (i >= given && type)
+            return false;
+        if (i < given && type) {
+            characters += TREE_CODE(type) == INTEGER_TYPE && TYPE_STRING_FLAG(type);
+            unknown += VOID_TYPE_P(type);
+        }
+    }
+    return characters <= lengths && lengths <= characters + unknown;
+}
+
+/* How many arguments are the program's. -1: this is not to be seen. */
 int given_by(gcall *call)
 {
-    int all = gimple_call_num_args(call), lengths = 0;
-    for (int given = 0; given <= all; given++) {
-        if (given + lengths == all)
+    for (int given = 0; given <= (int)gimple_call_num_args(call); given++)
+        if (can_be_given(call, given))
             return given;
-        if (given < all)
-            lengths += is_character(gimple_call_arg(call, given));
-    }
     return -1;
 }
 
@@ -66,7 +79,7 @@ void note_call(gcall *call)
     if (!function || !DECL_EXTERNAL(function))
         return;
     int takes = taken_by(function), gives = given_by(call);
-    if (takes < 0 || gives < 0 || takes == gives)
+    if (takes < 0 || gives < 0 || can_be_given(call, takes))
         return;
     expanded_location at = expand_location(gimple_location(call));
     records.insert("c " + name_of(function) + " " + std::to_string(takes) + " " + std::to_string(gives) +
