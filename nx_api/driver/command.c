@@ -80,6 +80,8 @@ static void add_compile(struct arguments *a)
         "-fno-reciprocal-math",     /* ... not those of roots, either */
         "-fno-stack-protector",     /* a node's stack has guard pages: see command() */
         "-U_FORTIFY_SOURCE",        /* no __printf_chk */
+        "-D__thread=",              /* a node has one thread: what is its own is the node's ... */
+        "-D_Thread_local=",         /* ... like any variable */
         "-fcf-protection=none",     /* */
         "-gno-record-gcc-switches", /* the same object wherever nxcc is installed */
         "-mno-red-zone",            /* checks call from leaf functions: see plugin.cc */

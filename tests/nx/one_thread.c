@@ -4,11 +4,17 @@
  */
 #include <errno.h>
 #include <pthread.h>
+#include <threads.h>
 #include "rule.h"
 
 static pthread_mutex_t of_file = PTHREAD_MUTEX_INITIALIZER;
 static pthread_once_t begun = PTHREAD_ONCE_INIT;
 static int times;
+
+/* Variables of a thread. */
+__thread int defined = 1;
+extern __thread int defined;
+static _Thread_local double kept;
 
 static void begin(void)
 {
@@ -50,11 +56,26 @@ static int done_once(void)
     return times == 1;
 }
 
+static int next(void)
+{
+    static thread_local int count = 10;
+    return ++count;
+}
+
+static int variables(void)
+{
+    defined += (int)mynode();
+    kept = 0.5 * defined;
+    gsync();
+    return defined == 1 + mynode() && kept == 0.5 * defined && next() == 11 && next() == 12;
+}
+
 int main(void)
 {
     rule("locks that are made", made_locks());
     rule("locks of files", locks_of_files());
     rule("values of a thread", values());
+    rule("variables of a thread", variables());
     rule("what is done once", done_once());
     rule("the thread itself", pthread_equal(pthread_self(), pthread_self()));
     return 0;
