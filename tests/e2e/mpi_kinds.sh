@@ -54,6 +54,6 @@ fi
 NXCC_MPICC=nowhere "$BUILD/nxcc" --mpi -o none "$tests/mpi/masks.c" >out 2>err
 check "NXCC_MPICC that is not there: is named" said '^nxcc: --mpi: NXCC_MPICC is nowhere, which is not to be found'
 NXCC_MPICC=gcc "$BUILD/nxcc" --mpi -o none "$tests/mpi/masks.c" >out 2>err
-check "NXCC_MPICC that is no MPI's: is refused" said "^nxcc: --mpi: gcc is neither Open MPI's nor MPICH's"
+check "NXCC_MPICC that is no MPI's: is refused" said "^nxcc: --mpi: /.*/gcc is neither Open MPI's nor MPICH's"
 "$BUILD/nxcc" --mpi -static -o none "$tests/mpi/masks.c" >out 2>err
 check "-static is refused" said '^nxcc: -static: '
