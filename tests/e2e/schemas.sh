@@ -25,7 +25,7 @@ valid profile-frames frames . children.0
 valid profile-frames frames2
 valid profile-lines lines 0
 "$BUILD/touchstone" trace why --json why.json --path run.trace >out
-"$BUILD/touchstone" trace why --json why2.json --than run.trace --set net.short_hop_us=0 --set system.no=0 run.trace >out 2>err
+"$BUILD/touchstone" trace why --json why2.json --than run.trace --set node.memory_mb=2 --set node.system_kb=1024 --set node.stack_kb=1000 run.trace >out 2>err
 valid why why.json . critical_path critical_path.steps.0 waits.groups.0 waits.by_cause_ps
 valid why why2.json than reruns.0
 "$BUILD/nxcc" -O2 -g -o permute "$tests/../../share/examples/exercises/permute.c"

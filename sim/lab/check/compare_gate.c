@@ -312,5 +312,6 @@ enum gate_end gate_run(const struct gate_options *options, char **error)
     json_decref(g.baseline);
     json_decref(g.update);
     json_decref(g.compilers);
+    json_decref(g.rules.seen);
     return end;
 }
