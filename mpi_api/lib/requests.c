@@ -42,7 +42,7 @@ static int end_move(const struct request *r, MPI_Status *status)
     return r->status.MPI_ERROR;
 }
 
-/* Of a request that is no message. */
+/* The end of a request that is no message. */
 static RUN_SELDOM int end_other(struct request *r, MPI_Status *status)
 {
     if (r->what == MOVES)
@@ -55,7 +55,7 @@ static RUN_SELDOM int end_other(struct request *r, MPI_Status *status)
     return code ? code : freed;
 }
 
-/* Of a request that receives nothing, or has before: by MPI_Request_get_status. */
+/* The end of a request that receives nothing, or has received before: by MPI_Request_get_status. */
 static inline int end(struct request *r, MPI_Status *status)
 {
     if (SELDOM(r->what >= GENERAL))

@@ -19,7 +19,8 @@ bool waitfor_concerns(const struct waitfor_node *n, const struct waitfor_message
 /* Is the message of the kind for which the node waits: a program's own, or a collective's? */
 static bool is_alike(const struct waitfor_node *n, const struct waitfor_message *m)
 {
-    return waitfor_concerns(n, m) && waitfor_is_collective(m->pid) == waitfor_is_collective(n->select.pid);
+    return !waitfor_operation(m->type) &&
+           waitfor_is_collective(m->pid) == waitfor_is_collective(n->select.pid);
 }
 
 /* Is the message selected but for its sender; but for its type? */
@@ -124,7 +125,7 @@ static bool waits_for_ended(const struct waitfor *w, const struct waitfor_node *
  * message is of? What other ranks have sent is then for later steps, and no fault. */
 static bool is_late_in_collective(const struct waitfor *w, const struct waitfor_node *n)
 {
-    if (n->what != WAITFOR_MESSAGE || !waitfor_is_collective(n->select.pid) || n->who != WAITFOR_ONE_NODE)
+    if (!waitfor_in_collective(n) || n->who != WAITFOR_ONE_NODE)
         return false;
     const struct waitfor_node *whom = &w->nodes[n->whom];
     return !waitfor_lives(whom) ||

@@ -14,6 +14,11 @@ bool waitfor_is_collective(long pid)
     return waitfor_is_mpi(pid) && (pid - FIRST_CONTEXT) & 1;
 }
 
+bool waitfor_in_collective(const struct waitfor_node *n)
+{
+    return n->what == WAITFOR_MESSAGE && waitfor_is_collective(n->select.pid);
+}
+
 const char *waitfor_mpi_type(long pid)
 {
     return waitfor_is_collective(pid) ? "collective" : "tag";

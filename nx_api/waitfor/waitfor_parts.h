@@ -15,6 +15,8 @@ bool waitfor_selects(const struct waitfor_select *s, long type, long from, long 
 
 /* Of MPI's: is this process type that of a communicator's collectives? */
 bool waitfor_is_collective(long pid);
+/* Does the node wait for a message of one? */
+bool waitfor_in_collective(const struct waitfor_node *n);
 
 /* Has the message to do with the node's wait: is it neither of NX's library nor, unless the node is in a
  * collective of MPI's, of such a one? */

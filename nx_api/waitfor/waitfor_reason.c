@@ -387,25 +387,19 @@ static const char *remedy_for_exit(struct waitfor *w)
     return waitfor_text(w, text);
 }
 
-/* Is it in a collective of MPI's? */
-static bool waits_in_collective(const struct waitfor_node *n)
-{
-    return n->what == WAITFOR_MESSAGE && waitfor_is_collective(n->select.pid);
-}
-
 /* The first node that waits for a reason of its own, as its mailbox or a full one shows; NULL: none. In a
  * collective what the mailbox shows follows from which members have come. */
 static const struct waitfor_node *waits_by_itself(const struct waitfor *w)
 {
     for (uint32_t i = 0; i < w->count; i++) {
         const struct waitfor_node *n = &w->nodes[i];
-        if (n->state == WAITFOR_WAITS && n->cause < WAITFOR_NODE_HAS_ENDED && !waits_in_collective(n))
+        if (n->state == WAITFOR_WAITS && n->cause < WAITFOR_NODE_HAS_ENDED && !waitfor_in_collective(n))
             return n;
     }
     return NULL;
 }
 
-/* That one should look at such a node first, and why; NULL: there is none. */
+/* The advice to look at such a node first, and why; NULL: there is none. */
 static const char *look_first(struct waitfor *w, const char *which)
 {
     const struct waitfor_node *first = waits_by_itself(w);
@@ -468,7 +462,7 @@ void waitfor_find_reasons(struct waitfor *w)
         n->why = why(&r, n);
         if (exit && may_be_of_exit(n->cause))
             n->remedy = exit;
-        else if (collective && waits_in_collective(n) && n->cause != WAITFOR_NODE_HAS_ENDED)
+        else if (collective && waitfor_in_collective(n) && n->cause != WAITFOR_NODE_HAS_ENDED)
             n->remedy = collective;
         else
             n->remedy = orphan && n->cause == WAITFOR_ORPHAN ? orphan : remedy(w, n);

@@ -1,10 +1,8 @@
 /* compare_tolerance.c - see compare_tolerance.h. */
 #include "lab/check/compare_tolerance.h"
-#include "files/json_set.h"
 #include "kernel/xalloc.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -56,47 +54,20 @@ void compare_rules_clear(struct compare_rules *rules)
     for (size_t i = 0; i < rules->count; i++)
         free(rules->tolerances[i].figure);
     free(rules->tolerances);
-    json_decref(rules->seen);
     *rules = (struct compare_rules){0};
 }
 
-void compare_rules_see(struct compare_rules *rules, const json_t *point)
+static bool is_there(const json_t *figures, const char *figure)
 {
-    const char *name;
-    json_t *value;
-    if (!rules->seen)
-        rules->seen = xchecked(json_object());
-    json_object_foreach(json_object_get(point, "figures"), name, value)
-        json_set(rules->seen, name, json_true());
+    return !figure || json_object_get(figures, figure);
 }
 
-static bool is_seen(const struct compare_rules *rules, const char *figure)
+const char *compare_rules_unused(const struct compare_rules *rules, const json_t *figures)
 {
-    return !figure || json_object_get(rules->seen, figure);
-}
-
-const char *compare_rules_unused(const struct compare_rules *rules)
-{
-    if (!is_seen(rules, rules->only))
+    if (!is_there(figures, rules->only))
         return rules->only;
     for (size_t i = 0; i < rules->count; i++)
-        if (!is_seen(rules, rules->tolerances[i].figure))
+        if (!is_there(figures, rules->tolerances[i].figure))
             return rules->tolerances[i].figure;
     return NULL;
-}
-
-char *compare_rules_figures(const struct compare_rules *rules)
-{
-    const char *name, *before = "";
-    json_t *value;
-    char *text;
-    size_t size;
-    FILE *f = xchecked(open_memstream(&text, &size));
-    json_object_foreach(rules->seen, name, value)
-    {
-        fprintf(f, "%s%s", before, name);
-        before = ", ";
-    }
-    fclose(f);
-    return text;
 }

@@ -17,17 +17,12 @@ struct compare_rules {
     size_t count;
     bool exact;       /* any difference is worse, in any figure */
     const char *only; /* the one figure that is compared; NULL: all */
-    json_t *seen;     /* an object with the figures that points have */
 };
 
 /* Adds tolerances: "0.5%", "total_s=1%", "messages=10", or a list of such texts with commas. False with *why
  * malloc'd. */
 bool compare_rules_add(struct compare_rules *rules, const char *text, char **why);
 void compare_rules_clear(struct compare_rules *rules);
-/* Notes which figures a point (baseline.h) has. */
-void compare_rules_see(struct compare_rules *rules, const json_t *point);
-/* After all points: the first figure that rules name and no point has; NULL if there is none. */
-const char *compare_rules_unused(const struct compare_rules *rules);
-/* All figures that points have: "idle_s, messages, total_s", malloc'd. */
-char *compare_rules_figures(const struct compare_rules *rules);
+/* The first figure that rules name and that is none of these, an object's keys; NULL if there is none. */
+const char *compare_rules_unused(const struct compare_rules *rules, const json_t *figures);
 #endif

@@ -80,15 +80,14 @@ bool run_again_from(const struct trace *t, const struct cli_installation *places
 char *run_again_refuses(const struct run_again *again, const struct cli_installation *places,
                         const char *const set[])
 {
-    size_t count = 0;
-    const char **all = xcalloc((size_t)count_of(again->options) + 1, sizeof *all);
+    size_t count = 0, more = 0;
+    while (set[more])
+        more++;
+    const char **all = xcalloc((size_t)count_of(again->options) + more + 1, sizeof *all);
     for (char **o = again->options; o[0] && o[1]; o++)
         if (!strcmp(o[0], "--set"))
             all[count++] = *++o;
-    for (; *set; set++) {
-        all = xreallocarray(all, count + 2, sizeof *all);
-        all[count++] = *set, all[count] = NULL;
-    }
+    memcpy(all + count, set, more * sizeof *all);
     char *error = NULL;
     cfg_free(cfg_load_with(again->machine, places->machines, all, &error));
     free(all);

@@ -68,22 +68,17 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 static void warn(const char *address)
 {
-    char name[HOST_NAME_MAX + 1] = "its name";
+    char name[HOST_NAME_MAX + 1] = "its name", how[HOST_NAME_MAX + 80] = "";
+    if (listening_is_local(address))
+        return;
     if (listening_is_everywhere(address)) {
         gethostname(name, sizeof name);
-        cli_say_warning(
-            "serve",
-            "warning: other computers can reach %s: for localhost they write %s, or this computer's "
-            "IP address; nothing is encrypted, and whoever learns the token can run the study's "
-            "program",
-            address, name);
-    } else if (!listening_is_local(address)) {
-        cli_say_warning(
-            "serve",
-            "warning: other computers can reach %s; nothing is encrypted, and whoever learns the token can "
-            "run the study's program",
-            address);
+        snprintf(how, sizeof how, ": for localhost they write %s, or this computer's IP address", name);
     }
+    cli_say_warning("serve",
+                    "warning: other computers can reach %s%s; nothing is encrypted, and whoever learns the "
+                    "token can run the study's program",
+                    address, how);
 }
 
 int cli_serve(int argc, char **argv)

@@ -18,7 +18,6 @@
 #include "observe/json_file.h"
 
 enum { TOP = CLI_KEY, SET, CPU, USUAL_TOP = 10 };
-enum { USAGE = 64 };
 
 struct arguments {
     const char *path, *than, *output, *json;
@@ -139,7 +138,7 @@ static int run_again(const struct arguments *a, const struct trace *t, struct re
         return failed(error, CLI_EXIT_INPUT);
     if ((error = run_again_refuses(&again, &places, a->set))) {
         run_again_free(&again);
-        return failed(error, USAGE);
+        return failed(error, argp_err_exit_status);
     }
     struct rerun_options o = {.command = again.command,
                               .cfg = again.cfg,

@@ -84,7 +84,7 @@ static void classes(struct why *w, FILE *f)
     }
 }
 
-/* Of a table's first column. */
+/* The width of a table's first column. */
 static int label_width(const struct tally *t, size_t shown)
 {
     size_t width = 38;
