@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include "files/text_file.h"
 #include "kernel/xalloc.h"
+#include "nx_api/contract/edit_distance.h"
 
 enum { MAX_TEXT = 2048, MAX_KEY = 64 };
 
@@ -249,6 +250,17 @@ bool cfg_time(struct cfg_reader *r, config_setting_t *in, const char *key, const
     return true;
 }
 
+/* The key most like this one, or NULL. */
+static const char *key_meant(const char *name, const char *const keys[])
+{
+    const char *best = NULL;
+    size_t distance, least = SIZE_MAX;
+    for (size_t k = 0; keys[k]; k++)
+        if (edit_alike(name, keys[k], &distance) && distance < least)
+            best = keys[k], least = distance;
+    return best;
+}
+
 bool cfg_only(struct cfg_reader *r, config_setting_t *in, const char *const keys[])
 {
     if (r->error)
@@ -263,7 +275,9 @@ bool cfg_only(struct cfg_reader *r, config_setting_t *in, const char *const keys
         char allowed[MAX_TEXT / 2] = "";
         for (size_t used = k = 0; keys[k] && used < sizeof allowed; k++)
             used += (size_t)snprintf(allowed + used, sizeof allowed - used, "%s%s", k ? ", " : "", keys[k]);
-        return cfg_fail(r, s, config_setting_name(s), "unknown key; known here: %s", allowed);
+        const char *name = config_setting_name(s), *meant = key_meant(name, keys);
+        return cfg_fail(r, s, name, "unknown key; %s%s%snown here: %s", meant ? "did you mean " : "",
+                        meant ? meant : "", meant ? "? K" : "k", allowed);
     }
     return true;
 }

@@ -229,7 +229,7 @@ static void bad_files_are_named_by_line_and_key(void **state)
         int line;
         const char *text, *error;
     } cases[] = {
-        {3, "rows = 2; colums = 3;", "toy.cfg:3: colums: unknown key; known here: kind, rows, columns"},
+        {3, "rows = 2; colums = 3;", "toy.cfg:3: colums: unknown key; did you mean columns? Known here: kind, rows, columns"},
         {3, "rows = 2;", "toy.cfg:2: columns: missing"},
         {3, "rows = 0; columns = 3;", "toy.cfg:3: rows: 0 is out of range: 1 to 4096 are allowed"},
         {3, "rows = -1; columns = 3;", "toy.cfg:3: rows: -1 is out of range: 1 to 4096 are allowed"},
@@ -262,13 +262,13 @@ static void bad_files_are_named_by_line_and_key(void **state)
         {1, "name = \"toy\"; description = \"for tests\"; cfs = { io_nodes = 2; disks = 1; };",
          "toy.cfg:1: disks: 1 is too few for io_nodes = 2: each I/O node has a disk at least"},
         {1, "name = \"toy\"; description = \"for tests\"; cfs = { io_nodes = 2; discs = 1; };",
-         "toy.cfg:1: discs: unknown key; known here: io_nodes, disks"},
+         "toy.cfg:1: discs: unknown key; did you mean disks? Known here: io_nodes, disks"},
         {1, "name = \"toy\"; description = \"for tests\"; host = { " HOST " link_us_per_byte = 1; };",
          "toy.cfg:1: a host hangs on node 0 of a hypercube; this machine is a mesh"},
         {1, "name = \"toy\"; description = \"for tests\"; host = { " HOST " };",
          "toy.cfg:1: link_us_per_byte: missing"},
         {1, "name = \"toy\"; description = \"for tests\"; host = { clock_mz = 1; };",
-         "toy.cfg:1: clock_mz: unknown key; known here: clock_mhz, cpu_factor"},
+         "toy.cfg:1: clock_mz: unknown key; did you mean clock_mhz? Known here: clock_mhz, cpu_factor"},
         {14, "interrupt_us 1;", "toy.cfg:14: syntax error (settings are written: key = value;)"},
         {14, "interrupt_us = 1; call_us = 2;",
          "toy.cfg:14: duplicate setting name (settings are written: key = value;)"},

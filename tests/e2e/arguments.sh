@@ -54,7 +54,7 @@ wrong "words for a number" 64 "not 'many'" run -n many ring
 wrong "a program that is not there" 65 'nowhere' run nowhere
 wrong "a program of the host" 65 'nxcc' run /bin/true
 wrong "a setting that is none" 64 "KEY=VALUE.*not 'interrupt'" run --set interrupt ring
-wrong "a setting of an unknown key" 65 'known here: .*interrupt_us' run --set system.interupt_us=1 ring
+wrong "a setting of an unknown key" 65 'did you mean interrupt_us\? Known here: ' run --set system.interupt_us=1 ring
 wrong "a machine that is not there" 65 'no machine "detla".*delta, ipsc860' run -m detla ring
 wrong "more nodes than the machine has" 65 '529 nodes.*16 x 33' run -n 529 ring
 wrong "more nodes than the hypercube has" 65 '129 nodes' run -m ipsc860 -n 129 ring
@@ -96,7 +96,7 @@ bad() { # NAME SED-EXPRESSION PATTERN
     sed "$2" "$tests/../../machines/delta.cfg" | sed "s#cpu/i860.cfg#$tests/../../machines/cpu/i860.cfg#" >bad.cfg
     wrong "$1" 65 "$3" run -m ./bad.cfg ring
 }
-bad "machine file: a key misspelt" 's/rows =/row =/' 'bad.cfg:[0-9]+: row: unknown key; known here: kind, rows, columns'
+bad "machine file: a key misspelt" 's/rows =/row =/' 'bad.cfg:[0-9]+: row: unknown key; did you mean rows\? Known here: kind, rows, columns'
 bad "machine file: a number out of range" 's/rows = 16/rows = 0/' 'bad.cfg:[0-9]+: rows: 0 is out of range'
 bad "machine file: a key missing" '/message_ids/d' 'bad.cfg:[0-9]+: message_ids: missing'
 bad "machine file: not a libconfig file" 's/topology = {/topology {/' 'bad.cfg:[0-9]+: syntax error'

@@ -50,7 +50,7 @@ wrong() {
     study wrong.cfg -o wrong
     check "before anything is run: $2" bash -c '[ "$1" = 65 ] && [ ! -e wrong ] && grep -qF -- "$2" err' - "$status" "$2"
 }
-wrong 's/clock_mhz/clock_mzh/' 'wrong.cfg:5: node.clock_mzh=40: clock_mzh: unknown key; known here: cpu, clock_mhz'
+wrong 's/clock_mhz/clock_mzh/' 'wrong.cfg:5: node.clock_mzh=40: clock_mzh: unknown key; did you mean clock_mhz? Known here: cpu, clock_mhz'
 wrong 's/40, 80/40, 0/' 'wrong.cfg:5: node.clock_mhz=0: clock_mhz: 0 is out of range: 0.001 to 100000 are allowed'
 wrong 's/node.clock/knot.clock/' 'wrong.cfg:5: knot.clock_mhz=40: there is no group knot; there are: '
 wrong 's/"delta"/"dleta"/' 'wrong.cfg:1: no machine "dleta" in '

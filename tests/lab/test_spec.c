@@ -38,7 +38,8 @@ static void mistakes_are_named_with_line_and_remedy(void **state)
         {false, "program = \"p\";\nmachine = \"m\";",
          "study.cfg: axes: missing: axes = ( { name = \"nodes\"; values = ( 1, 2, 4 ); } ); is a study of "
          "1, 2 and 4 nodes"},
-        {true, "porgram = \"q\";", "study.cfg:4: porgram: unknown key; known here: title, about, "},
+        {true, "porgram = \"q\";",
+         "study.cfg:4: porgram: unknown key; did you mean program? Known here: title, about, "},
         {true, "nodes = 4;", "study.cfg:4: nodes: there is an axis of that name; give only one of the two"},
         {true, "only = ( \"nods < 4\" );",
          "study.cfg:4: only: there is no axis nods; there are: nodes, kind"},

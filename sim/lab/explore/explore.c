@@ -98,7 +98,8 @@ static bool take_base(struct explore *x, const struct planned_run *base, char **
     const char *message = json_string_value(json_object_get(base->record, "message"));
     if (message)
         fprintf(x->options.notes,
-                "the run with the usual timing, with which all others are compared, fails: %s\n", message);
+                "the run with the usual timing, with which all others are compared, fails: %.*s\n",
+                (int)strcspn(message, "\n"), message); /* the report has the rest */
     double seconds = json_number_value(json_object_get(base->record, "virtual_time_s"));
     subject_limit(x->subject, TIMES_BASE * seconds + SECONDS_MORE);
     return true;
