@@ -229,7 +229,8 @@ static void bad_files_are_named_by_line_and_key(void **state)
         int line;
         const char *text, *error;
     } cases[] = {
-        {3, "rows = 2; colums = 3;", "toy.cfg:3: colums: unknown key; did you mean columns? Known here: kind, rows, columns"},
+        {3, "rows = 2; colums = 3;",
+         "toy.cfg:3: colums: unknown key; did you mean columns? Known here: kind, rows, columns"},
         {3, "rows = 2;", "toy.cfg:2: columns: missing"},
         {3, "rows = 0; columns = 3;", "toy.cfg:3: rows: 0 is out of range: 1 to 4096 are allowed"},
         {3, "rows = -1; columns = 3;", "toy.cfg:3: rows: -1 is out of range: 1 to 4096 are allowed"},
