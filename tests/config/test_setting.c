@@ -72,7 +72,7 @@ static void bad_settings_are_checked_as_the_file_is(void **state)
         const char *set, *error;
     } cases[] = {
         {"system.interupt_us=1",
-         "system.interupt_us=1: interupt_us: unknown key; did you mean interrupt_us? Known here: call_us, call_ns, "},
+         "system.interupt_us=1: interupt_us: unknown key; did you mean interrupt_us? Known here: call_us, "},
         {"system.interrupt_us=-1",
          "system.interrupt_us=-1: interrupt_us: -1 is out of range: 0 to 1e+06 are allowed"},
         {"system.interrupt_us=long",
