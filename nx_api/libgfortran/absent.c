@@ -1,6 +1,7 @@
 /* absent.c - parts of GNU Fortran's library that a node does not have: threads for asynchronous I/O
- * (async.c), 128-bit reals (libquadmath), and the host processor's instructions beyond plain x86-64; and
- * how the library is ended. */
+ * (async.c), signals, 128-bit reals (libquadmath), and the host processor's instructions beyond plain x86-64;
+ * and how the library is ended. */
+#include <signal.h>
 #include <stdlib.h>
 #include "libgfortran.h"
 
@@ -28,6 +29,24 @@ NEVER(enqueue_data_transfer_init)
 NEVER(enqueue_done)
 NEVER(enqueue_done_id)
 NEVER(enqueue_transfer)
+
+/* --- signals: its own handlers are for faults, which no handler is told of; nxcc.mk renames its calls --- */
+
+sighandler_t nx_no_signal(int number, sighandler_t handler);
+sighandler_t nx_no_signal(int number, sighandler_t handler)
+{
+    (void)number, (void)handler;
+    return SIG_DFL;
+}
+
+int nx_no_sigaction(int number, const struct sigaction *to, struct sigaction *before);
+int nx_no_sigaction(int number, const struct sigaction *to, struct sigaction *before)
+{
+    (void)number, (void)to;
+    if (before)
+        *before = (struct sigaction){.sa_handler = SIG_DFL};
+    return 0;
+}
 
 /* --- REAL(16): its output and input --- */
 

@@ -146,6 +146,8 @@ LIBGFORTRAN := $(patsubst nx_api/%.c,$(NODE)/obj/%.o,$(wildcard nx_api/libgfortr
 $(NODE)/libgfortran.a: $(LIBGFORTRAN)
 	cp "$$($(NODE_FC) -print-file-name=libgfortran.a)" $@.new
 	ar d $@.new error.o stop.o backtrace.o async.o
+	objcopy --redefine-sym signal=nx_no_signal --redefine-sym sigaction=nx_no_sigaction \
+		--redefine-sym raise=nx_ends_by --redefine-sym kill=nx_kill $@.new
 	ar q $@.new $^ && ranlib $@.new && mv $@.new $@
 
 $(NODE)/runtime_long32.o: nx_api/nxcc/runtime/runtime.c nx_api/nxcc/runtime/enter.h nx_api/contract/program_image.h

@@ -47,9 +47,9 @@ long nxs_killproc(word node, word pid)
     return 0;
 }
 
-/* kill(2), by which a Paragon program ends itself: 0 and -1 are all its processes, and no other process
- * exists. */
-int node_kill(int pid, int sig)
+/* kill(2) of others, by which a Paragon program ends itself: 0 and -1 are all its processes, and no other
+ * process exists. */
+int node_nx_kill(int pid, int sig)
 {
     struct node *n = node_self();
     if (pid == 0 || pid == -1) {

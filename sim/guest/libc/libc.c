@@ -173,11 +173,12 @@ _Noreturn void node___stack_chk_fail(void)
     node_fail(node_self(), "a function that ends wrote past the end of an array on its stack");
 }
 
-int node_raise(int number)
+/* What raise(3) does that finds no handler (nx_api/libc/signal_handlers.c). */
+_Noreturn void node_nx_ends_by(int number)
 {
     struct node *n = node_self();
     node_libc_flush(n);
-    node_fail(n, "raise: signal %d (%s) ends a program: nodes have no signal handlers", number,
+    node_fail(n, "raise: signal %d (%s) ends the program: it has no handler for it", number,
               strsignal(number));
 }
 

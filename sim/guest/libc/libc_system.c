@@ -373,27 +373,7 @@ int node_getlogin_r(char *buf, size_t size)
     return 0;
 }
 
-/* --- signals: a node's program gets none but those that end it, so handlers always are the default --- */
-
-void (*node_signal(int number, void (*f)(int)))(int)
-{
-    (void)number, (void)f;
-    return SIG_DFL;
-}
-
-/* As signal(), for programs compiled with -std=c90. */
-void (*node___sysv_signal(int number, void (*f)(int)))(int)
-{
-    return node_signal(number, f);
-}
-
-int node_sigaction(int number, const struct sigaction *to, struct sigaction *before)
-{
-    (void)number, (void)to;
-    if (before != NULL)
-        *before = (struct sigaction){.sa_handler = SIG_DFL};
-    return 0;
-}
+/* --- masks of signals: none comes that a mask could hold back (nx_api/libc/signal_handlers.c) --- */
 
 int node_sigprocmask(int how, const sigset_t *mask, sigset_t *before)
 {
@@ -416,17 +396,6 @@ int node_sigsetmask(int mask)
 }
 
 /* --- System V's, which programs use in their place --- */
-
-void (*node_sigset(int number, void (*f)(int)))(int)
-{
-    return node_signal(number, f);
-}
-
-int node_sigignore(int number)
-{
-    (void)number;
-    return 0;
-}
 
 int node_sighold(int number)
 {
