@@ -42,12 +42,25 @@ bool backtrace_in_program(const struct node *n, uintptr_t address)
     return address - (uintptr_t)n->guest.program < n->guest.image_bytes;
 }
 
-void backtrace_print(FILE *f, const struct node *n, const char *how, uintptr_t address)
+static bool print_call(FILE *f, const struct node *n, const char *how, uintptr_t address)
 {
     char where[256];
-    if (backtrace_in_program(n, address))
-        fprintf(f, "\n  %s %s", how,
-                node_image_where(n->guest.file, address - (uintptr_t)n->guest.program, where, sizeof where));
+    if (!backtrace_in_program(n, address))
+        return false;
+    fprintf(f, "\n  %s %s", how,
+            node_image_where(n->guest.file, address - (uintptr_t)n->guest.program, where, sizeof where));
+    return true;
+}
+
+/* (A recursion is one line.) */
+void backtrace_print(FILE *f, const struct node *n, const char *how, const uintptr_t *addresses, int count)
+{
+    for (int i = 0, equal; i < count; i += equal, how = "called from") {
+        for (equal = 1; i + equal < count && addresses[i + equal] == addresses[i];)
+            equal++;
+        if (print_call(f, n, how, addresses[i]) && equal > 1)
+            fprintf(f, ", %d times%s", equal, i + equal == count ? " or more" : "");
+    }
 }
 
 /* (How MPI's library is made is no concern of the program's.) */
@@ -63,8 +76,10 @@ void backtrace_print_calls(FILE *f, const struct node *n, uintptr_t frame)
     int depth = backtrace_walk(n, frame, returns, MOST_CALLS), first = 0;
     while (first < depth && is_of_mpi(n, returns[first] - 1))
         first++;
-    for (int i = first < depth ? first : 0; i < depth; i++)
-        backtrace_print(f, n, "called from", returns[i] - 1);
+    for (int i = 0; i < depth; i++)
+        returns[i]--; /* into the call */
+    first = first < depth ? first : 0;
+    backtrace_print(f, n, "called from", returns + first, depth - first);
 }
 
 const char *backtrace_mpi_call(const struct node *n, const uintptr_t *frames, int depth, int *outside)

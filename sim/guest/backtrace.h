@@ -11,8 +11,9 @@ bool backtrace_in_stack(const struct node *n, uintptr_t address);
  * in a signal handler. */
 int backtrace_walk(const struct node *n, uintptr_t frame, uintptr_t *returns, int most);
 bool backtrace_in_program(const struct node *n, uintptr_t address);
-/* Prints a newline and "  HOW FUNCTION (FILE:LINE)"; nothing for an address outside of the program. */
-void backtrace_print(FILE *f, const struct node *n, const char *how, uintptr_t address);
+/* Prints calls by their addresses, the innermost first: a newline and "  HOW FUNCTION (FILE:LINE)" for the
+ * first, then "  called from ..."; nothing for an address outside of the program. */
+void backtrace_print(FILE *f, const struct node *n, const char *how, const uintptr_t *addresses, int count);
 /* Prints such a line for each call under way in the program, from a frame upwards. */
 void backtrace_print_calls(FILE *f, const struct node *n, uintptr_t frame);
 

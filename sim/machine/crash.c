@@ -342,8 +342,7 @@ static void print_frames(FILE *f, const struct node *n, const uintptr_t *frames,
         const char *called = g->depth > 1 ? backtrace_called(n, g->frames[1]) : NULL;
         fprintf(f, "\n  in %s", called ? called : "a library function");
     }
-    for (int i = 0; i < depth; i++)
-        backtrace_print(f, n, i ? "called from" : "in", frames[i]);
+    backtrace_print(f, n, "in", frames, depth);
 }
 
 char *crash_report(const struct node *n)
@@ -361,8 +360,7 @@ char *crash_report(const struct node *n)
     print_cause(f, n);
     if (mpi && outside < depth) {
         print_given(f, g, mpi);
-        for (int i = outside; i < depth; i++)
-            backtrace_print(f, n, "called from", frames[i]);
+        backtrace_print(f, n, "called from", frames + outside, depth - outside);
     } else {
         print_frames(f, n, frames, depth);
     }

@@ -15,7 +15,7 @@ fault() { # HOW STATUS TEXT [TEXT...]
     for text; do check "$how: $text" said "$text"; done
 }
 called='^  called from main\+0x[0-9a-f]+ \(faults.c:'
-fault stack 1 'node 1 crashed .*: its stack of [0-9]+ KB overflowed' '^  in recurse.*faults.c:'
+fault stack 1 'node 1 crashed .*: its stack of [0-9]+ KB overflowed' '^  in recurse.*faults.c:' '^  called from recurse.*faults.c:[0-9]+\), [0-9]+ times or more$'
 fault divide 1 'node 1 crashed .*: integer division by zero' '^  in divide.*faults.c:'
 fault float_divide 1 'node 1 crashed .*: floating-point division by zero, an exception that it has unmasked' '^  in main.*faults.c:'
 fault enabled_divide 1 'node 1 crashed .*: floating-point division by zero, an exception that it has unmasked' '^  in main.*faults.c:'
