@@ -1,4 +1,5 @@
 /* files.c - opening and closing files, and what is known of them. */
+#define _GNU_SOURCE
 #include "files.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -173,7 +174,7 @@ CALL(File_delete, (const char *name, MPI_Info info))
 
 static int set_size(struct file *f, MPI_Offset bytes)
 {
-    return ftruncate(f->fd, bytes) ? file_error(errno) : MPI_SUCCESS;
+    return ftruncate64(f->fd, bytes) ? file_error(errno) : MPI_SUCCESS;
 }
 
 static int grow(struct file *f, MPI_Offset bytes)

@@ -1,5 +1,6 @@
 /* large_files.c - the names of calls on files that the headers use with -D_FILE_OFFSET_BITS=64: offsets and
- * structures are the same as without. (Of folders, they stand beside the others.) */
+ * structures are the same as without, but of an offset all 64 bits count. (Of folders, they stand beside the
+ * others.) */
 #define _GNU_SOURCE
 #include <fcntl.h>
 #include <stdarg.h>
@@ -8,6 +9,10 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+/* The system's. */
+long long nx_lseek(int fd, long long offset, int whence);
+int nx_ftruncate(int fd, long long bytes);
 
 int open64(const char *path, int flags, ...)
 {
@@ -35,27 +40,12 @@ int fcntl64(int fd, int what, ...)
 
 off64_t lseek64(int fd, off64_t offset, int whence)
 {
-    return lseek(fd, offset, whence);
-}
-
-ssize_t pread64(int fd, void *to, size_t bytes, off64_t place)
-{
-    return pread(fd, to, bytes, place);
-}
-
-ssize_t pwrite64(int fd, const void *from, size_t bytes, off64_t place)
-{
-    return pwrite(fd, from, bytes, place);
+    return nx_lseek(fd, offset, whence);
 }
 
 int ftruncate64(int fd, off64_t bytes)
 {
-    return ftruncate(fd, bytes);
-}
-
-int truncate64(const char *path, off64_t bytes)
-{
-    return truncate(path, bytes);
+    return nx_ftruncate(fd, bytes);
 }
 
 int lockf64(int fd, int what, off64_t bytes)

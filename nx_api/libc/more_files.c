@@ -2,20 +2,26 @@
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
+#include <stdint.h>
 #include <sys/time.h>
 #include <sys/uio.h>
 #include <unistd.h>
 #include <utime.h>
 
-int truncate(const char *path, off_t bytes)
+int truncate64(const char *path, off64_t bytes)
 {
     int fd = open(path, O_WRONLY);
     if (fd < 0)
         return -1;
-    int answer = ftruncate(fd, bytes), why = errno;
+    int answer = ftruncate64(fd, bytes), why = errno;
     close(fd);
     errno = why;
     return answer;
+}
+
+int truncate(const char *path, off_t bytes)
+{
+    return truncate64(path, (int32_t)bytes); /* as ftruncate */
 }
 
 int utime(const char *path, const struct utimbuf *to)

@@ -343,6 +343,10 @@ static void errors(void)
     MPI_File_preallocate(file, 500);
     MPI_File_get_size(file, &bytes);
     holds = holds && bytes == 500;
+    MPI_File_set_size(file, 5000000000); /* more than 32 bits */
+    MPI_File_get_size(file, &bytes);
+    holds = holds && bytes == 5000000000;
+    MPI_File_set_size(file, 500);
     MPI_File_close(&file);
     if (rank == 0)
         holds = holds && MPI_File_delete(path("blocks"), MPI_INFO_NULL) == MPI_SUCCESS;

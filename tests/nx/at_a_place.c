@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include "rule.h"
 
@@ -26,12 +27,32 @@ static int at_places(const char *path)
     return right;
 }
 
+/* What the calls with 64 in their names take has 64 bits: a file with a hole. */
+static int far_away(const char *path)
+{
+    const off64_t far = 5000000000;
+    char text[3] = "";
+    int fd = open64(path, O_RDWR | O_CREAT | O_TRUNC, 0644);
+    int right = pwrite64(fd, "ab", 2, far) == 2 && pread64(fd, text, 2, far) == 2 && !strcmp(text, "ab") &&
+                lseek64(fd, 0, SEEK_CUR) == 0 && lseek64(fd, 0, SEEK_END) == far + 2 &&
+                ftruncate64(fd, far - 1) == 0 && lseek64(fd, far - 1, SEEK_SET) == far - 1 &&
+                read(fd, text, 1) == 0;
+    close(fd);
+    right = right && truncate64(path, 3000000000) == 0;
+    struct stat64 now;
+    right = right && stat64(path, &now) == 0 && now.st_size == 3000000000;
+    unlink(path);
+    return right;
+}
+
 int main(void)
 {
     char name[30], *text = NULL;
     snprintf(name, sizeof name, "/cfs/places%ld", mynode());
     rule("a file of the machine", at_places(name));
     rule("a file of the computer", at_places(name + 5));
+    rule("64 bits, a file of the machine", far_away(name));
+    rule("64 bits, a file of the computer", far_away(name + 5));
     rule("asprintf", asprintf(&text, "%s and %1000d", name, 7) == (int)strlen(name) + 1005 &&
                          !strncmp(text, name, strlen(name)) && text[strlen(text) - 1] == '7');
     free(text);

@@ -226,14 +226,20 @@ ssize_t node_write(int fd, const void *buf, size_t bytes)
 }
 
 /* A terminal has no place, also where the simulator's input has one. */
-off_t node_lseek(int fd, off_t offset, int whence)
+long long node_nx_lseek(int fd, long long offset, int whence)
 {
     struct node_file *f = descriptor_file(node_self(), fd);
     if (f && f->class->terminal) {
         errno = ESPIPE;
         return -1;
     }
-    return f ? file_seek(f, (int32_t)offset, whence) : -1;
+    return f ? file_seek(f, offset, whence) : -1;
+}
+
+/* Programs call it without a declaration: what is not of an int is not the offset's. */
+off_t node_lseek(int fd, off_t offset, int whence)
+{
+    return node_nx_lseek(fd, (int32_t)offset, whence);
 }
 
 ssize_t node_writev(int fd, const struct iovec *parts, int count)
@@ -270,10 +276,15 @@ int node_fstat(int fd, struct stat *st)
     return f ? file_fstat(f, st) : -1;
 }
 
-int node_ftruncate(int fd, off_t size)
+int node_nx_ftruncate(int fd, long long size)
 {
     struct node_file *f = descriptor_file(node_self(), fd);
-    return f ? file_truncate(f, (int32_t)size) : -1;
+    return f ? file_truncate(f, size) : -1;
+}
+
+int node_ftruncate(int fd, off_t size)
+{
+    return node_nx_ftruncate(fd, (int32_t)size);
 }
 
 /* Opens a new file with O_EXCL. The names tried differ from node to node and are equal in each run; names
