@@ -83,6 +83,8 @@ def check_study(b):
     rule("study: a logarithmic axis has ticks also within a decade, and never 0.9 for 1", few[:2] == [
         [0.6, 0.7, 0.8, 0.9, 1, 2], [0.5, 0.6, 0.8, 1, 2, 3, 4, 5]] and len(few[2]) > 2 and few[3:] == [
             [1, 2, 5, 10, 20, 50, 100], [10 ** i for i in range(10)]], few)
+    numbers = b.run("return [0.00005, 0.00015, 0.0004, 12500000, 0.5, 20].map(axisNumber)")
+    rule("study: an axis's numbers are whole, short or long", numbers == ["50µ", "150µ", "400µ", "12.5M", "0.5", "20"], numbers)
     chart = s.find_element(By.CSS_SELECTOR, "figure svg")
     b.run("arguments[0].focus()", chart)
     chart.send_keys(Keys.ARROW_RIGHT)
