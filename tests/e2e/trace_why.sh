@@ -37,6 +37,8 @@ promises "files" -m ipsc860 -n 4 served
 promises "ring" -m ipsc860 -n 16 ring
 why t.trace
 check "ring: the sentences come first" eval "head -1 out | grep -q '^ring took [0-9.]* ms on 16 nodes of ipsc860\.'"
+check "ring: a head names the steps, above its columns" \
+    eval 'grep -q "^Critical path, [0-9,]* steps  .* if it took no time    times faster$" out'
 check "ring: its cause is the network" prints 'the largest cause is the network'
 check "a program as old as the run: no warning" eval '[ ! -s err ]'
 touch ring

@@ -136,16 +136,18 @@ static vtime entering_on(const struct why *w, int32_t node)
     return sum;
 }
 
-static void say_handlers(struct why *w, const struct part *p, FILE *f)
+/* Says how long handlers took, behind " There," or nothing. */
+static void say_handlers(struct why *w, const struct part *p, const char *before, FILE *f)
 {
     struct why_unit u = why_unit_for(w->length);
-    fprintf(f, " %s handlers took %s (%s)", number_grouped(handlers_on(w, p->node)).text,
+    fprintf(f, "%s %s handlers took %s (%s)", before, number_grouped(handlers_on(w, p->node)).text,
             why_time(u, p->of[WHY_HANDLERS]).text, why_percent(p->of[WHY_HANDLERS], w->length).text);
     name_functions(w, p, WHY_HANDLERS, ", mostly for ", f);
     fprintf(f, "; entering and leaving them took %s of it.", why_time(u, entering_on(w, p->node)).text);
 }
 
-static void say_class(struct why *w, const struct part *p, enum why_class class, FILE *f)
+/* Of one node's part of the path, the first sentence says that its times are those of that part. */
+static void say_class(struct why *w, const struct part *p, enum why_class class, bool first, FILE *f)
 {
     static const char *const WORDS[WHY_CLASSES] = {
         [WHY_COMPUTING] = "the program computed",
@@ -159,12 +161,14 @@ static void say_class(struct why *w, const struct part *p, enum why_class class,
         [WHY_WAITING] = "calls waited for a service, or for what the trace does not have",
         [WHY_ABSENT] = "no program was there",
     };
+    bool there = first && p->node != TRACE_NONE;
     if (class == WHY_HANDLERS) {
-        say_handlers(w, p, f);
+        say_handlers(w, p, there ? " There," : "", f);
         return;
     }
-    fprintf(f, " For %s (%s) %s", why_time(why_unit_for(w->length), p->of[class]).text,
-            why_percent(p->of[class], w->length).text, WORDS[class]);
+    fprintf(f, " %s %s (%s) %s", there ? "There, for" : "For",
+            why_time(why_unit_for(w->length), p->of[class]).text, why_percent(p->of[class], w->length).text,
+            WORDS[class]);
     if (class == WHY_COMPUTING)
         name_functions(w, p, class, ", mostly in ", f);
     fputc('.', f);
@@ -181,7 +185,7 @@ static void say_classes(struct why *w, const struct part *p, FILE *f)
                 most = i;
         if (most < 0)
             break;
-        say_class(w, p, (enum why_class)most, f);
+        say_class(w, p, (enum why_class)most, n == 0, f);
         said[most] = true;
     }
 }
