@@ -286,6 +286,8 @@ def check_trace_rest(b):
                   channels.find_element(By.TAG_NAME, "canvas"))
     rule("channels: a map in colours", drawn > 10, drawn)
     why = section(b, "Flame")
+    said = b.run("return flameSummary('main;relax 500\\nmain;csend 200\\nmain;crecv;wait 300').big")
+    rule("flame graph: its card has the largest frame", said == "50.0 % in relax", said)
     frame = [g for g in why.find_elements(By.CSS_SELECTOR, "g[role=button]") if g.get_attribute("aria-label").startswith("crecv")][0]
     rule("flame graph: a frame's share", frame.get_attribute("aria-label") == "crecv, 30.00 %", frame.get_attribute("aria-label"))
     wide = b.run("return arguments[0].querySelector('rect').getBBox().width", frame)
