@@ -165,6 +165,18 @@ static void says_how_many_are_left_out(void **state)
     free(text);
 }
 
+static void one_point_is_no_points(void **state)
+{
+    (void)state;
+    static const char one[] =
+        "{ \"title\": \"T\", \"about\": \"\", \"program\": \"p\", \"baseline\": \"nodes 4\","
+        "  \"axes\": { \"nodes\": [4] }, \"points\": ["
+        "  { \"nodes\": 4, \"failure\": null, \"time_s\": 8.0 } ] }\n";
+    char *text = page_of_results(one, "time_s", "nodes", "", "");
+    says(text, "p at 1 point: 1 value of nodes.\n");
+    free(text);
+}
+
 /* A time of 40 us was "0.00004000" in the table. */
 static void short_times_are_in_their_own_unit(void **state)
 {
@@ -191,6 +203,7 @@ int main(void)
                                        cmocka_unit_test(factors_are_said_in_words),
                                        cmocka_unit_test(names_have_no_first_and_last),
                                        cmocka_unit_test(says_how_many_are_left_out),
+                                       cmocka_unit_test(one_point_is_no_points),
                                        cmocka_unit_test(short_times_are_in_their_own_unit)};
     return cmocka_run_group_tests_name("findings", tests, NULL, NULL);
 }

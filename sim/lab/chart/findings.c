@@ -56,7 +56,8 @@ static bool write_head(const struct record_points *points, FILE *out, char **err
             text_in(points->header, "title"));
     if (*about)
         fprintf(out, "%s\n\n", about);
-    fprintf(out, "%s at %zu points: ", text_in(points->header, "program"), t.points);
+    fprintf(out, "%s at %zu point%s: ", text_in(points->header, "program"), t.points,
+            t.points == 1 ? "" : "s");
     json_object_foreach(json_object_get(points->header, "axes"), name, values)
     {
         size_t count = json_array_size(values);
