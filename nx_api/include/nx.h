@@ -1,6 +1,6 @@
 /* nx.h - the NX message-passing calls of Intel's iPSC/860, Touchstone Delta and Paragon, for C node programs.
  *
- * Types (message types): 0 to 999,999,999 for users; force types have bit 30 set (1,073,741,824 to
+ * Types (message types): 0 to 999,999,999 for users; forced types have bit 30 set (1,073,741,824 to
  * 1,999,999,999): a message of such a type is sent at once, and thrown away if no receive is posted for it.
  * Others are reserved. typesel: >= 0 that type; -1 any type; other negative values a mask: bits 0-29 select
  * types 0-29, bit 30 all types from 30 up. Lengths are bytes, 0 or more. node -1 in a send: all other nodes.

@@ -134,12 +134,14 @@ class Run:
 
 
 def run(program, *arguments, machine=None, nodes=None, set=(), options=()):  # noqa: A002 (as the option is called)
-    """Runs a program built by nxcc. set: settings such as ("system.interrupt_us=0",); options: others of touchstone run,
-    such as ("--trace", "ring.trace")."""
+    """Runs a program built by nxcc. set: {"system.interrupt_us": 0}, or settings such as ("system.interrupt_us=0",);
+    options: others of touchstone run, such as ("--trace", "ring.trace")."""
     words = ["run", "-q", "--json", "-", *options]
     words += ["-m", machine] if machine else []
     words += ["-n", nodes] if nodes else []
-    for setting in set:
+    if isinstance(set, dict):
+        set = [f"{key}={value}" for key, value in set.items()]  # noqa: A001
+    for setting in [set] if isinstance(set, str) else set:
         words += ["--set", setting]
     done = _call(*words, program, *arguments, good=(0, 1, 2, 3))
     if not done.stdout:

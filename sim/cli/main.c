@@ -121,9 +121,9 @@ int main(int argc, char **argv)
         lines,
         parse,
         "COMMAND [ARGS...]",
-        "Runs programs written for Intel's NX message-passing library on simulated iPSC/860, Touchstone "
-        "Delta and Paragon nodes, in exact virtual time. Programs are built with nxcc: nxcc -O2 -o prog "
-        "prog.c\v"
+        "Runs parallel programs, written for Intel's NX or for MPI, on simulated nodes of an iPSC/860, a "
+        "Touchstone Delta, a Paragon or a cluster, in exact virtual time. Programs are built with nxcc: "
+        "nxcc -O2 -o prog prog.c\v"
         "touchstone COMMAND --help describes a command, and so does touchstone help COMMAND.\n\n"
         "Machine files are in machines/ of the installation, or of $TOUCHSTONE_HOME. On a terminal, messages "
         "are coloured, unless $NO_COLOR is set or $TERM is dumb; $CLICOLOR_FORCE has them coloured "

@@ -66,7 +66,7 @@ struct node_times {
 
 struct node_stats {
     uint64_t sent, sent_bytes;
-    vtime idle;              /* waiting in a call, and the processor at rest */
+    vtime idle;              /* waiting in a call, and the processor idle */
     vtime overlapped;        /* tasks that took none of the program's time */
     struct node_waits waits; /* of idle: in which calls, for which messages */
     size_t memory_peak;

@@ -24,7 +24,7 @@ END2
 gate b.json halves.cfg
 check "no baseline: it could not be found out" ended_with 2
 gate halves.cfg b.json
-check "a study in the place of the baseline" eval 'ended_with 2 && said "halves.cfg:1: no baseline of touchstone check"'
+check "a study in the place of the baseline" eval 'ended_with 2 && said "halves.cfg:1: no baseline of touchstone check, which stands before the studies"'
 gate b.json halves.cfg
 check "and how to make one is said" said 'b.json: No such file.*--update'
 gate b.json --update halves.cfg

@@ -48,6 +48,8 @@ check "there are some commands" test "$(wc -l <<<"$all")" -ge 25
 long() { grep -o -- '^--[a-z-]*' | sort -u; } # of lines that begin with options
 while IFS= read -r c; do
     "$BUILD/touchstone" $c --help | sed -n '/^Exit status\|^Example/q; s/^ \{2,6\}\(-[a-z], \)\?\(--\?[a-zA-Z][a-z-]*\).*/\1\2/p' | tr -s ', ' '\n' | sort -u >options
+    check "touchstone$c: the help's lists have lines of their own" \
+        test -z "$("$BUILD/touchstone" $c --help | awk '/^[a-z]/ && before ~ /^  / { print before, $0 } { before = $0 }')"
     ask touchstone $c -
     check "touchstone$c: bash has all options" test "$(tr ' ' '\n' <out | sort -u)" = "$(cat options)"
     check "touchstone$c: so has zsh" cmp <(long <options) <(sed -n "/^_touchstone${c// /_}_command()/,/^}/s/^ *'\((.*)\|\*\)\?--/--/p" completion/zsh/_touchstone | long)

@@ -92,6 +92,7 @@ check "a difference is drawn" grep -q 'red: itself takes more' diff.svg
 # the picture
 profile -o flame.svg p.json
 check "the picture is XML" xmllint --noout flame.svg
+check "its head has a time for people" grep -qE '>width: virtual time, summed over nodes: [0-9.]{4,6} m?s in all\.' flame.svg
 check "refers to nothing outside" test "$(grep -cE '(href|src|url\()' flame.svg)" = 0
 check "has a frame for each wide one" test "$(grep -c "data-n='deep'" flame.svg)" -ge 1
 check "that tells its time" grep -qE '<title>main: [0-9.]+ %, [0-9.]+ m?s.*flame.c:[0-9]+</title>' flame.svg

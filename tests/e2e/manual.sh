@@ -12,6 +12,16 @@ for page in first model formats; do
     python3 "$tests/console.py" "$root/doc/manual/$page.md"
 done
 
+# The model's example names each term of a time that the first page's command prints.
+adds_up() {
+    awk -F '|' '/^## Parts/ { exit } NF == 5 && $4 > 0 { if ($2 ~ /[a-z]/) sum += $4; else total = $4 } END { printf "%.2f %.2f\n", sum, total }' \
+        "$root/doc/manual/model.md" >sums
+    read -r sum total <sums
+    [ "$sum" = "$total" ] && grep -qx "100 bytes: $total us one way" "$root/doc/manual/first.md" &&
+        grep -q "^\[echo\].* in $total us\." "$root/doc/manual/model.md"
+}
+check "the terms of the model's example add up to what the program prints" adds_up
+
 check "the pages are made" python3 "$root/doc/manual/pages/stage.py" build source
 python3 "$tests/manual_check.py" "$root" source build || check "all is looked at" false
 (cd "$root" && python3 tests/e2e/links.py README.md CONTRIBUTING.md doc/*.md doc/manual/*.md bench/*/*.md) || check "all links are looked at" false

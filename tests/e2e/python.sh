@@ -24,6 +24,7 @@ says "a run at the prompt" True "repr(t.run('ring', machine='ipsc860', nodes=4))
 says "a deadlock: at the prompt" True "repr(t.run('circle', machine='ipsc860', nodes=4)).endswith(' s, deadlock')"
 says "a deadlock: a notebook has its report" True "'<pre>touchstone run: deadlock: every program waits' in t.run('circle', machine='ipsc860', nodes=4)._repr_html_()"
 says "a setting" True "t.run('ring', machine='ipsc860', nodes=4, set=['system.short_send_us=500']).time_s > $(time_of)"
+says "settings as a dictionary, or one as a text" "True True" "(lambda s: f\"{s({'system.short_send_us': 500}) == s(['system.short_send_us=500'])} {s('system.short_send_us=500') > $(time_of)}\")(lambda setting: t.run('ring', machine='ipsc860', nodes=4, set=setting).time_s)"
 says "a notebook's table" "True 4" "(lambda h: f\"{'on 4 nodes of ipsc860' in h} {h.count('<tr><td>')}\")(t.run('ring', machine='ipsc860', nodes=4)._repr_html_())"
 says "a study: a row a point" "[2, 4]" "t.results('study').column('nodes')"
 says "a trace: a row a message" "$(jq .messages run.json)" "len(t.trace('t.trace', 'messages'))"

@@ -37,6 +37,8 @@ promises "files" -m ipsc860 -n 4 served
 promises "ring" -m ipsc860 -n 16 ring
 why t.trace
 check "ring: the sentences come first" eval "head -1 out | grep -q '^ring took [0-9.]* ms on 16 nodes of ipsc860\.'"
+check "ring: a head names the steps, above its columns" \
+    eval 'grep -q "^Critical path, [0-9,]* steps  .* if it took no time    times faster$" out'
 check "ring: its cause is the network" prints 'the largest cause is the network'
 check "a program as old as the run: no warning" eval '[ ! -s err ]'
 touch ring
@@ -49,6 +51,38 @@ mv elsewhere ring
 touch -r t.trace ring
 why t.trace
 check "ring: where nodes waited" prints 'in crecv at ring.c:15 \(main\), for types 1 to 12 of several nodes, from csend at ring.c:17 \(main\)'
+cat >five.c <<'END'
+#include <nx.h>
+#include <stdio.h>
+static volatile double x;
+#define WORK(name, k) __attribute__((noinline)) static void name(void) { for (int i = 0; i < 20000; i++) x += k; mclock(); }
+WORK(first, 1) WORK(second, 2) WORK(third, 3) WORK(fourth, 4) WORK(fifth, 5)
+int main(void)
+{
+    first(), second(), third(), fourth(), fifth();
+    printf("%f\n", x);
+    return 0;
+}
+END
+"$BUILD/nxcc" -O2 -g -o five five.c
+traced -m delta five
+why t.trace
+check "two of five functions are not most of the work" prints 'the program computed, among others in [a-z]+ \([0-9.]+ m?s\) and [a-z]+ \('
+cat >last.c <<'END'
+#include <nx.h>
+#include <stdio.h>
+int main(void)
+{
+    mclock();
+    printf("%f %f %f\n", 1.5, 2.5, 3.5);
+    return 0;
+}
+END
+"$BUILD/nxcc" -O2 -g -o last last.c
+traced -m delta -n 1 last
+why t.trace
+check "what a program does behind its last call counts for the function of that call" eval "prints 'mostly in main ' && ! prints 'not known'"
+traced -m ipsc860 -n 16 ring
 why --json - t.trace
 check "ring: nothing is unknown" eval "grep -q '\"unknown\": 0' out"
 "$BUILD/touchstone" trace why --json why.json --path t.trace 2>err | true

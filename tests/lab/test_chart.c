@@ -64,6 +64,8 @@ static char *script_of(struct picture p)
         json_object_set_new(point, "speedup",
                             json_real(0.8 * json_number_value(json_object_get(point, "nodes"))));
         json_object_set_new(point, "speed_per_node", json_real(0.8));
+        json_object_set_new(point, "bytes",
+                            json_real(1.2e6 * json_number_value(json_object_get(point, "nodes"))));
     }
     struct record_points points = {each, json_object_get(root, "points"), root};
     struct chart_data d;
@@ -192,6 +194,7 @@ static void speeds_have_their_ideal(void **state)
     assert_int_equal(count(script, "plot x with lines"), 4);
     says(script, "title 'ideal'");
     says(script, "notes = 'group 2; baseline: nodes 1'");
+    says(script, "set ylabel 'speed-up'"); /* not the figure's key, also in a picture of one's own */
     free(script);
     p.figure = "speed_per_node";
     script = script_of(p);
@@ -230,6 +233,33 @@ static void one_line_needs_no_name(void **state)
     says(script, "title 'ideal'");
     assert_true(with[0] >= without[0] + 74 + scale_text_width("ideal")); /* its sample, and its text */
     free(script);
+}
+
+/* The axis's name had no room left of wide numbers, and was not drawn. */
+static void wide_numbers_leave_room_for_the_name(void **state)
+{
+    (void)state;
+    struct picture p = TIME;
+    double margin;
+    unsigned svg[2];
+    p.figure = "bytes";
+    p.log_y = false;
+    char *script = script_of(p);
+    assert_int_equal(sscanf(strstr(script, "set lmargin"), "set lmargin at screen %lf", &margin), 1);
+    assert_int_equal(
+        sscanf(strstr(script, "svg noenhanced size"), "svg noenhanced size %u,%u", &svg[0], &svg[1]), 2);
+    assert_true(margin * svg[0] > scale_text_width("1.2e+08") + 36); /* the name's height is 22 */
+    free(script);
+    struct scale small = {true, 4e-5, 5e-4}, exact = {true, 1e-5, 1e-1};
+    assert_int_equal(scale_widest_tic(&small), scale_text_width("0.00015"));
+    assert_int_equal(scale_widest_tic(&exact), scale_text_width("0.0001"));
+}
+
+/* No node waits at any point: the axis went from -1 % to 1 %. */
+static void nothing_is_no_less_than_zero(void **state)
+{
+    (void)state;
+    assert_true(scale_of_values(0, 0, false).low == 0);
 }
 
 /* Of lines a and b there is no point in panel 2; line c takes 30 s of 1000 there, and 20 of 300. */
@@ -342,6 +372,8 @@ int main(void)
         cmocka_unit_test(choices_are_points_side_by_side),
         cmocka_unit_test(speeds_have_their_ideal),
         cmocka_unit_test(one_line_needs_no_name),
+        cmocka_unit_test(wide_numbers_leave_room_for_the_name),
+        cmocka_unit_test(nothing_is_no_less_than_zero),
         cmocka_unit_test(a_ratio_is_the_second_values_figure_by_the_firsts),
         cmocka_unit_test(equal_lines_are_both_seen),
         cmocka_unit_test(lines_differ_in_marker_dashes_and_colour_only),

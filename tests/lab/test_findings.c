@@ -107,7 +107,7 @@ static void speeds_are_best_when_high(void **state)
     (void)state;
     char *text = page("speedup", "");
     says(text, "- scheme b: 1.000 to 2.700 from nodes 1 to 4, 2.70 times higher; most, 2.700, at nodes 4.");
-    says(text, "In the table: speedup; baseline: nodes 1, scheme a.");
+    says(text, "In the table: speed-up; baseline: nodes 1, scheme a.");
     says(text, "- The highest line: scheme a at nodes 2; scheme b at nodes 4.");
     free(text);
 }
@@ -132,7 +132,7 @@ static void factors_are_said_in_words(void **state)
     free(text);
     text = page("wait_s", "");
     says(text, "7.02 to 1000.00 from nodes 1 to 2, 142 times higher;");
-    says(text, "5.000 to 5.000 from nodes 1 to 2, the same;");
+    says(text, "- scheme b: 5.000 at all points.\n"); /* "least, 5.000, at nodes 1" says nothing */
     free(text);
     text = page("call_time_s", "");
     says(text, "2.000 to 24.500 from nodes 1 to 2, 12.2 times slower;");
@@ -165,6 +165,36 @@ static void says_how_many_are_left_out(void **state)
     free(text);
 }
 
+static void one_point_is_no_points(void **state)
+{
+    (void)state;
+    static const char one[] =
+        "{ \"title\": \"T\", \"about\": \"\", \"program\": \"p\", \"baseline\": \"nodes 4\","
+        "  \"axes\": { \"nodes\": [4] }, \"points\": ["
+        "  { \"nodes\": 4, \"failure\": null, \"time_s\": 8.0 } ] }\n";
+    char *text = page_of_results(one, "time_s", "nodes", "", "");
+    says(text, "p at 1 point: 1 value of nodes.\n");
+    free(text);
+}
+
+/* A time of 40 us was "0.00004000" in the table. */
+static void short_times_are_in_their_own_unit(void **state)
+{
+    (void)state;
+    static const char short_ones[] =
+        "{ \"title\": \"T\", \"about\": \"\", \"program\": \"p\", \"baseline\": \"nodes 1\","
+        "  \"axes\": { \"nodes\": [1, 2] }, \"points\": ["
+        "  { \"nodes\": 1, \"failure\": null, \"time_s\": 0.00004, \"total_s\": 0.001 },"
+        "  { \"nodes\": 2, \"failure\": null, \"time_s\": 0.0004, \"total_s\": 0.09 } ] }\n";
+    char *text = page_of_results(short_ones, "time_s", "nodes", "", "");
+    says(text, "In the table: time, us.");
+    says(text, "| nodes | time, us |\n|--:|--:|\n| 1 | 40.00 |\n| 2 | 400.00 |\n");
+    free(text);
+    text = page_of_results(short_ones, "total_s", "nodes", "", "");
+    says(text, "| nodes | total time, ms |\n|--:|--:|\n| 1 | 1.000 |\n| 2 | 90.000 |\n");
+    free(text);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(table_and_least),
@@ -172,6 +202,8 @@ int main(void)
                                        cmocka_unit_test(best_value_of_an_axis),
                                        cmocka_unit_test(factors_are_said_in_words),
                                        cmocka_unit_test(names_have_no_first_and_last),
-                                       cmocka_unit_test(says_how_many_are_left_out)};
+                                       cmocka_unit_test(says_how_many_are_left_out),
+                                       cmocka_unit_test(one_point_is_no_points),
+                                       cmocka_unit_test(short_times_are_in_their_own_unit)};
     return cmocka_run_group_tests_name("findings", tests, NULL, NULL);
 }

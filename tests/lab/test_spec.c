@@ -101,6 +101,9 @@ static void mistakes_are_named_with_line_and_remedy(void **state)
          "program = \"p\"; machine = \"m\";\naxes = ( { name = \"nodes\";\n"
          "values = { from = 1; to = 4; step = 0.5; }; } );",
          "study.cfg:3: nodes: 1.5 is not a number of nodes: whole, from 1 to 1048576"},
+        {false, "program = \"p\"; machine = \"m\";\naxes = ( { name = \"nodes\";\nvalue = ( 1, 2 ); } );",
+         "study.cfg:3: nodes: value takes a formula, such as \"nodes / 4\"; numbers are given as "
+         "values = ( ... )"},
         {false, "program = \"p\"; machine = \"m\";\naxes = ( { name = \"g\";\nvalue = \"nodes / 2\"; } );",
          "study.cfg:3: g: there is no axis nodes; there are: "},
         {false,

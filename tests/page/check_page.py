@@ -83,11 +83,16 @@ def check_study(b):
     rule("study: a logarithmic axis has ticks also within a decade, and never 0.9 for 1", few[:2] == [
         [0.6, 0.7, 0.8, 0.9, 1, 2], [0.5, 0.6, 0.8, 1, 2, 3, 4, 5]] and len(few[2]) > 2 and few[3:] == [
             [1, 2, 5, 10, 20, 50, 100], [10 ** i for i in range(10)]], few)
+    numbers = b.run("return [0.00005, 0.00015, 0.0004, 12500000, 0.5, 20].map(axisNumber)")
+    rule("study: an axis's numbers are whole, short or long", numbers == ["50µ", "150µ", "400µ", "12.5M", "0.5", "20"], numbers)
+    named = b.run("return ['time_s', 'idle_pct', 'nodes_of_done_groups', 'memory_peak_bytes', 'speedup'].map(figureWords)")
+    rule("study: figures have names for people", named == ["time, s", "idle, %", "nodes of done groups", "memory peak, bytes", "speedup"] and
+         "time against nodes" in s.text, named)
     chart = s.find_element(By.CSS_SELECTOR, "figure svg")
     b.run("arguments[0].focus()", chart)
     chart.send_keys(Keys.ARROW_RIGHT)
     tip = s.find_element(By.CSS_SELECTOR, ".tip").text
-    rule("study: a point's figures are shown, whole", any(f"nodes {p['nodes']}, share {p['share']}\ntime_s {p['time_s']}" == tip for p in points), tip)
+    rule("study: a point's figures are shown, whole", any(f"nodes {p['nodes']}, share {p['share']}\ntime, s: {p['time_s']}" == tip for p in points), tip)
     details = [d for d in s.find_elements(By.TAG_NAME, "details") if "table behind" in d.text][0]
     b.run("arguments[0].open = true", details)
     b.until("return document.querySelector('details[open] table')")
@@ -281,6 +286,8 @@ def check_trace_rest(b):
                   channels.find_element(By.TAG_NAME, "canvas"))
     rule("channels: a map in colours", drawn > 10, drawn)
     why = section(b, "Flame")
+    said = b.run("return flameSummary('main;relax 500\\nmain;csend 200\\nmain;crecv;wait 300').big")
+    rule("flame graph: its card has the largest frame", said == "50.0 % in relax", said)
     frame = [g for g in why.find_elements(By.CSS_SELECTOR, "g[role=button]") if g.get_attribute("aria-label").startswith("crecv")][0]
     rule("flame graph: a frame's share", frame.get_attribute("aria-label") == "crecv, 30.00 %", frame.get_attribute("aria-label"))
     wide = b.run("return arguments[0].querySelector('rect').getBBox().width", frame)

@@ -92,13 +92,12 @@ static bool is_wide(const json_t *values)
 size_t chart_standard(const struct record_points *points, struct picture list[CHART_STANDARD])
 {
     static const struct {
-        const char *file, *title, *figure, *label;
+        const char *file, *title, *figure;
         bool needs_nodes, log_y;
-    } KINDS[CHART_STANDARD] = {
-        {"time", "time", "time_s", "time, s", false, true},
-        {"idle", "idle time", "idle_pct", "idle, % of all nodes' time", false, false},
-        {"speedup", "speed-up", "speedup", "speed-up", true, true},
-        {"speed_per_node", "speed per node", "speed_per_node", "speed-up / nodes", true, false}};
+    } KINDS[CHART_STANDARD] = {{"time", "time", "time_s", false, true},
+                               {"idle", "idle time", "idle_pct", false, false},
+                               {"speedup", "speed-up", "speedup", true, true},
+                               {"speed_per_node", "speed per node", "speed_per_node", true, false}};
     json_t *axes = json_object_get(points->header, "axes"), *values;
     const char *name, *x = json_object_get(axes, "nodes") ? "nodes" : "", *lines = "", *panels = "";
     if (json_array_size(json_object_get(axes, "nodes")) < 2)
@@ -132,7 +131,7 @@ size_t chart_standard(const struct record_points *points, struct picture list[CH
                                    .lines_label = "",
                                    .panels_label = "",
                                    .x_label = "",
-                                   .y_label = KINDS[i].label,
+                                   .y_label = "",
                                    .log_x = wide,
                                    .log_y = KINDS[i].log_y && wide};
     return count;

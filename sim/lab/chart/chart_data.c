@@ -143,6 +143,53 @@ static json_t *fix_rest(const struct record_points *points, const struct picture
     return fixed;
 }
 
+/* --- what the values are -------------------------------------------------------------------------------- */
+
+/* What a figure is called where the picture does not say so. */
+static const char *words_for(const char *figure)
+{
+    static const char *const WORDS[][2] = {{"time_s", "time, s"},
+                                           {"total_s", "total time, s"},
+                                           {"virtual_time_s", "virtual time, s"},
+                                           {"idle_pct", "idle, % of all nodes' time"},
+                                           {"speedup", "speed-up"},
+                                           {"speed_per_node", "speed-up / nodes"}};
+    for (size_t i = 0; i < sizeof WORDS / sizeof *WORDS; i++)
+        if (strcmp(figure, WORDS[i][0]) == 0)
+            return WORDS[i][1];
+    return figure;
+}
+
+static double greatest(const double *values, size_t count)
+{
+    double most = 0;
+    for (size_t i = 0; i < count; i++)
+        most = fmax(most, fabs(values[i])); /* fmax passes over NAN */
+    return most;
+}
+
+/* Labels the values. Seconds that are all below 0.1 become milliseconds, or microseconds. */
+static void take_label(const struct picture *p, struct chart_data *d, size_t cells)
+{
+    const char *words = *p->y_label ? p->y_label
+                        : *p->best  ? p->best
+                        : *p->ratio ? p->figure
+                                    : words_for(p->figure);
+    size_t stem = strlen(words) > 3 ? strlen(words) - 1 : 0; /* without the s of ", s" */
+    double most = greatest(d->drawn, cells);
+    bool seconds = stem && strcmp(words + stem - 2, ", s") == 0 && !*p->best && !*p->ratio;
+    if (!seconds || most >= 0.1 || !(most > 0)) {
+        d->y_label = xstrdup(words);
+        return;
+    }
+    bool micro = most < 1e-3;
+    d->y_label = xasprintf("%.*s%s", (int)stem, words, micro ? "us" : "ms");
+    for (size_t i = 0; i < cells; i++)
+        d->drawn[i] *= micro ? 1e6 : 1e3;
+}
+
+/* --- the whole ------------------------------------------------------------------------------------------ */
+
 bool chart_data_take(const struct record_points *points, const struct picture *p, struct chart_data *d,
                      char **error)
 {
@@ -157,6 +204,7 @@ bool chart_data_take(const struct record_points *points, const struct picture *p
     bool ok = points->each(points->arg, take_point, &t, error);
     for (size_t i = 0; *p->ratio && i < cells; i++)
         d->drawn[i] /= t.least[i];
+    take_label(p, d, cells);
     json_decref(t.fixed);
     free(t.least);
     return ok;
@@ -179,6 +227,7 @@ void chart_data_free(struct chart_data *d)
     free_axis(&d->best);
     free_axis(&d->ratio);
     free(d->drawn);
+    free(d->y_label);
     free(d->fixed);
 }
 

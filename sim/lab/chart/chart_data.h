@@ -20,6 +20,7 @@ struct chart_axis {
 struct chart_data {
     struct chart_axis x, lines, panels, best, ratio;
     double *drawn; /* for each panel, line and x; NAN where there is no point */
+    char *y_label; /* what the values are: "time, s"; short times are in ms or us, and the label says so */
     char *fixed; /* "disks 2, clock 40": the axes held at their first values; "host b / a": a ratio; or "" */
 };
 

@@ -34,7 +34,9 @@ struct scale scale_of_values(double low, double high, bool log)
     }
     if (low >= 0 && low < high / 2)
         return (struct scale){false, 0, high * 1.07};
-    double room = high > low ? (high - low) / 12 : fabs(high) / 10 + (high == 0);
+    if (low == 0 && high == 0)
+        return (struct scale){false, 0, 1};
+    double room = high > low ? (high - low) / 12 : fabs(high) / 10;
     return (struct scale){false, low - room, high + room};
 }
 
@@ -78,22 +80,49 @@ static void write_range(const struct scale *s, char which, FILE *out)
             s->high);
 }
 
-/* Tics of a logarithmic axis, close enough to read values by. */
-static void write_log_tics(const struct scale *s, char which, FILE *out)
+/* The first tic of a logarithmic axis above a value; tics are close enough to read values by. */
+static double next_log_tic(const struct scale *s, double above)
 {
     static const double close[] = {1, 1.5, 2, 3, 4, 6, 8}, some[] = {1, 2, 5}, few[] = {1};
-    double decades = log10(s->high / s->low);
+    double decades = log10(s->high / s->low), power = pow(10, floor(log10(above) + 1e-9));
     const double *steps = decades < 1.2 ? close : decades < 3.2 ? some : few;
-    size_t count = decades < 1.2 ? sizeof close / sizeof *close : decades < 3.2 ? 3 : 1;
+    size_t count = decades < 1.2 ? sizeof close / sizeof *close : decades < 3.2 ? 3 : 1, i = 0;
+    while (i < count && power * steps[i] <= above * (1 + 1e-9))
+        i++;
+    return i < count ? power * steps[i] : 10 * power;
+}
+
+static void write_log_tics(const struct scale *s, char which, FILE *out)
+{
     const char *comma = "";
     fprintf(out, "set %ctics (", which);
-    for (double power = pow(10, floor(log10(s->low))); power <= s->high; power *= 10)
-        for (size_t i = 0; i < count; i++)
-            if (power * steps[i] >= s->low && power * steps[i] <= s->high) {
-                fprintf(out, "%s'%g' %.9g", comma, power * steps[i], power * steps[i]);
-                comma = ", ";
-            }
+    for (double at = next_log_tic(s, s->low / 1.000001); at <= s->high; at = next_log_tic(s, at)) {
+        fprintf(out, "%s'%g' %.9g", comma, at, at);
+        comma = ", ";
+    }
     fputs(")\n", out);
+}
+
+/* The first tic of a linear axis above a value: gnuplot's for an axis of any length are no closer. */
+static double next_linear_tic(const struct scale *s, double above)
+{
+    double span = s->high - s->low, power = pow(10, floor(log10(span))), leading = span / power;
+    double step = power * (leading < 2 ? 0.2 : leading < 5 ? 0.5 : 1);
+    return step * (floor(above / step + 1e-6) + 1);
+}
+
+unsigned scale_widest_tic(const struct scale *s)
+{
+    unsigned widest = 0;
+    double (*next)(const struct scale *, double) = s->log ? next_log_tic : next_linear_tic;
+    double at = next(s, s->low);
+    for (int most = 50; most > 0 && at <= s->high; most--, at = next(s, at)) {
+        char text[32];
+        snprintf(text, sizeof text, "%g", at);
+        unsigned width = scale_text_width(text);
+        widest = width > widest ? width : widest;
+    }
+    return widest;
 }
 
 void scale_write(const struct scale *s, char which, FILE *out)

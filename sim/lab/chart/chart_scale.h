@@ -26,6 +26,8 @@ double scale_value(const struct scale *s, double part);
 void scale_write_axis(const struct scale *s, char which, const struct chart_axis *axis, unsigned pixels,
                       FILE *out);
 void scale_write(const struct scale *s, char which, FILE *out);
+/* How many pixels the widest label at round numbers takes, about. */
+unsigned scale_widest_tic(const struct scale *s);
 
 /* Writes text in gnuplot's single quotes. */
 void scale_write_quoted(const char *text, FILE *out);

@@ -208,6 +208,17 @@ static bool are_turned(const struct script *s)
     return !x->numeric && (widest_label(x) + 8) * x->count > layout_panel_width(s->data->panels.count);
 }
 
+/* The room beside the panels for the numbers of their vertical axes. */
+static unsigned room_for_numbers(const struct script *s)
+{
+    unsigned room = 60;
+    for (size_t panel = 0; panel < s->data->panels.count; panel++) {
+        unsigned needed = scale_widest_tic(&s->y[panel]) + 18;
+        room = needed > room ? needed : room;
+    }
+    return room;
+}
+
 /* Adds the room for labels of names: beside the panels those of the best axis, below them turned ones, which
  * also reach to the left of the first. */
 static void add_names(const struct script *s, struct layout_needs *needs)
@@ -231,7 +242,7 @@ static struct layout lay_out(const struct script *s)
     struct layout_needs needs = {.panels = d->panels.count,
                                  .panel_titles = *d->panels.name,
                                  .notes = *s->notes,
-                                 .y_labels = 60,
+                                 .y_labels = room_for_numbers(s),
                                  .x_labels = 24,
                                  .heading_width = (heading > notes ? heading : notes) + 40};
     add_names(s, &needs);
@@ -266,9 +277,8 @@ static void write_axes(const struct script *s, size_t panel)
 {
     const struct picture *p = s->picture;
     const struct chart_data *d = s->data;
-    const char *y_label = or_else(p->y_label, or_else(p->best, p->figure));
     write_words("set xlabel ", layout_is_lowest(&s->layout, panel) ? or_else(p->x_label, p->x) : "", s->out);
-    write_words("set ylabel ", layout_is_left(&s->layout, panel) ? y_label : "", s->out);
+    write_words("set ylabel ", layout_is_left(&s->layout, panel) ? d->y_label : "", s->out);
     scale_write_axis(&s->x, 'x', &d->x, s->layout.first.width, s->out);
     if (are_turned(s))
         fputs("set xtics rotate by 35 right\n", s->out);

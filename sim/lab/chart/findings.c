@@ -56,7 +56,8 @@ static bool write_head(const struct record_points *points, FILE *out, char **err
             text_in(points->header, "title"));
     if (*about)
         fprintf(out, "%s\n\n", about);
-    fprintf(out, "%s at %zu points: ", text_in(points->header, "program"), t.points);
+    fprintf(out, "%s at %zu point%s: ", text_in(points->header, "program"), t.points,
+            t.points == 1 ? "" : "s");
     json_object_foreach(json_object_get(points->header, "axes"), name, values)
     {
         size_t count = json_array_size(values);
@@ -78,9 +79,7 @@ static bool write_head(const struct record_points *points, FILE *out, char **err
 
 static const char *what(const struct page *p)
 {
-    return *p->picture->y_label ? p->picture->y_label
-           : *p->picture->best  ? p->picture->best
-                                : p->picture->figure;
+    return p->data->y_label;
 }
 
 /* Digits before the point; -1 for 0.01. */
@@ -250,6 +249,19 @@ static void say_change(const struct page *p, size_t panel, size_t line)
     fputs("; ", p->out);
 }
 
+/* Has the line several points, and all of one value? */
+static bool is_level(const struct chart_data *d, size_t panel, size_t line)
+{
+    size_t count = 0;
+    double low = INFINITY, high = -INFINITY;
+    for (size_t x = 0; x < d->x.count; x++) {
+        low = fmin(low, chart_at(d, panel, line, x));
+        high = fmax(high, chart_at(d, panel, line, x));
+        count += !isnan(chart_at(d, panel, line, x));
+    }
+    return count > 1 && low == high;
+}
+
 static void say_best(const struct page *p, size_t panel, size_t line)
 {
     const struct chart_data *d = p->data;
@@ -258,6 +270,11 @@ static void say_best(const struct page *p, size_t panel, size_t line)
         return;
     near_best(p, panel, line, at, &from, &to);
     fprintf(p->out, "- %s%s%s: ", d->lines.name, *d->lines.name ? " " : "", line_name(p, line));
+    if (is_level(d, panel, line)) {
+        write_value(p, panel, line, at);
+        fputs(" at all points.\n", p->out);
+        return;
+    }
     say_change(p, panel, line);
     fprintf(p->out, "%s, ", best_word(p));
     write_value(p, panel, line, at);

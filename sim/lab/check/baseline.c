@@ -65,9 +65,11 @@ json_t *baseline_read(const char *path, char **error)
     json_error_t why;
     json_t *root = json_load_file(path, 0, &why);
     if (!root) {
-        *error = why.line > 0
-                     ? xasprintf("%s:%d: no baseline of touchstone check: %s", path, why.line, why.text)
-                     : xasprintf("%s: %s", path, why.text);
+        *error =
+            why.line > 0
+                ? xasprintf("%s:%d: no baseline of touchstone check, which stands before the studies: %s",
+                            path, why.line, why.text)
+                : xasprintf("%s: %s", path, why.text);
         return NULL;
     }
     if (check(root, path, error))

@@ -21,8 +21,8 @@ static const struct argp_option OPTIONS[] = {
     {0}};
 
 static const char DOC[] =
-    "Shows why the programs of a run wait for ever: who waits for whom, in which call and line, and what "
-    "differs. FILE is a report of touchstone run --deadlock, or results of touchstone run --json.\v"
+    "Shows why the programs of a run wait for ever: who waits for whom, in which call and line, and for "
+    "which cause. FILE is a report of touchstone run --deadlock, or results of touchstone run --json.\v"
     "Exit status:\n"
     "  0   the report is written\n"
     "  64  wrong arguments\n"

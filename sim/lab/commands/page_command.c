@@ -29,7 +29,7 @@ static const char DOC[] =
     "Writes OUT.html, one HTML file that shows the inputs in any browser: it holds all its data and scripts "
     "and fetches nothing, so it can be mailed or archived. OUT.html may be - for standard output.\v"
     "An input is recognised by what it holds:\n"
-    "  run.json           touchstone run --json: where each node's time went, and a deadlock\n"
+    "  run.json           touchstone run --json: where nodes' time went; a deadlock\n"
     "  run.trace          touchstone run --trace: timeline, messages, channels\n"
     "  why-not.json       touchstone run --deadlock: who waits for whom\n"
     "  profile.json       touchstone run --profile: time by function\n"

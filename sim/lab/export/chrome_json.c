@@ -34,7 +34,7 @@ static void put_text(FILE *out, const char *text)
     fputc('"', out);
 }
 
-/* Threads are numbered from 1: to Perfetto, thread 0 is what a processor at rest runs. */
+/* Threads are numbered from 1: to Perfetto, thread 0 is what an idle processor runs. */
 static void begin_event(struct writing *w, const char *ph)
 {
     fprintf(w->out, "%s{\"ph\":\"%s\",\"pid\":1,\"tid\":%d", w->begun ? ",\n" : "", ph, w->node + 1);

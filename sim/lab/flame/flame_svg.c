@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "files/virtual_time.h"
 #include "lab/flame/flame.h"
 
 enum { WIDTH = 1200, MARGIN = 10, ROW = 18, TOP = 66, BOTTOM = 40, LETTER = 7 };
@@ -270,17 +271,18 @@ static void write_head(const struct svg *s)
     fprintf(out, "<rect width='%d' height='%d' fill='#fff'/>\n", WIDTH, height);
     fprintf(out, "<text id='title' class='title' x='%d' y='24'>", MARGIN);
     write_escaped(f->program[FLAME_NOW], 60, out);
-    fprintf(out, " on %" PRIu32 " nodes%s</text>\n", f->nodes[FLAME_NOW],
-            flame_is_diff(f) ? ", compared" : "");
+    fprintf(out, " on %" PRIu32 " node%s%s</text>\n", f->nodes[FLAME_NOW],
+            f->nodes[FLAME_NOW] == 1 ? "" : "s", flame_is_diff(f) ? ", compared" : "");
     fprintf(out, "<text class='note' x='%d' y='44'>", MARGIN);
     if (flame_is_diff(f)) {
         fputs("width: time now; red: itself takes more, blue: less. Before: ", out);
         write_escaped(f->program[FLAME_BEFORE], 60, out);
-        fprintf(out, ", %.6f s of nodes' time; now %.6f s", vt_seconds(f->root->total[FLAME_BEFORE]),
-                vt_seconds(f->root->total[FLAME_NOW]));
+        fprintf(out, ", %s of nodes' time; now %s",
+                duration_text(vt_seconds(f->root->total[FLAME_BEFORE])).text,
+                duration_text(vt_seconds(f->root->total[FLAME_NOW])).text);
     } else {
-        fprintf(out, "width: virtual time, summed over nodes: %.6f s. Exact: counted, not sampled",
-                vt_seconds(f->root->total[FLAME_NOW]));
+        fprintf(out, "width: virtual time, summed over nodes: %s in all. Counted, not sampled",
+                duration_text(vt_seconds(f->root->total[FLAME_NOW])).text);
     }
     fprintf(out,
             "</text>\n<text id='reset' class='button' x='%d' y='24' style='display:none' tabindex='0' "

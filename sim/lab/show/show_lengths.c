@@ -23,8 +23,9 @@ static char *notes(const struct message_lengths *l)
         return xstrdup("No message was sent");
     char *bytes = axis_number_text((double)l->bytes, true);
     char *text = xasprintf("%s messages, %s; the shortest has %" PRIu64 " bytes, the median %" PRIu64
-                           ", the longest %" PRIu64 "; classes by powers of two",
-                           number_grouped(l->messages).text, bytes, l->shortest, l->median, l->longest);
+                           ", the longest %s; classes by powers of two",
+                           number_grouped(l->messages).text, bytes, l->shortest, l->median,
+                           number_grouped(l->longest).text);
     free(bytes);
     return text;
 }

@@ -128,12 +128,16 @@ static bool read_derived(struct cfg_reader *r, config_setting_t *g, const struct
                          struct spec_axis *axis)
 {
     const char *text;
+    config_setting_t *value = config_setting_get_member(g, "value");
+    if (config_setting_type(value) != CONFIG_TYPE_STRING)
+        return cfg_fail(
+            r, value, axis->name,
+            "value takes a formula, such as \"nodes / 4\"; numbers are given as values = ( ... )");
     axis->kind = SPEC_DERIVED;
     axis->count = 1;
     axis->numeric = true;
     axis->values = xcalloc(1, sizeof *axis->values);
-    return cfg_text(r, g, "value", &text) &&
-           (axis->value = spec_expression(r, config_setting_get_member(g, "value"), axis->name, text, s));
+    return cfg_text(r, g, "value", &text) && (axis->value = spec_expression(r, value, axis->name, text, s));
 }
 
 static bool read_values(struct cfg_reader *r, config_setting_t *g, const struct spec *s,

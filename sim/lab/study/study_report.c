@@ -72,7 +72,7 @@ enum study_end study_report(struct study *s, char **error)
     if (!written)
         return STUDY_ERROR;
     fprintf(o->out,
-            "%zu points, %zu failed; %s has findings.md, results.json, results.csv and %zu picture%s\n",
-            s->count, s->counts.failed, o->dir, drawn, drawn == 1 ? "" : "s");
+            "%zu point%s, %zu failed; %s has findings.md, results.json, results.csv and %zu picture%s\n",
+            s->count, s->count == 1 ? "" : "s", s->counts.failed, o->dir, drawn, drawn == 1 ? "" : "s");
     return s->counts.failed || !complete ? STUDY_INCOMPLETE : STUDY_DONE;
 }

@@ -136,6 +136,8 @@ static const char *worker_between(struct places *p, int32_t before, int32_t afte
         list = join(p, list, places_text(p, "%.*s", (int)strcspn(x.worked[i], "."), x.worked[i]));
     if (x.count)
         return x.more ? join(p, list, "others") : list;
+    if (after == TRACE_NONE) /* no call follows: the library's code, called by what had called NX last */
+        return places_function(p, before);
     return *in && is_on_both_sides(p, before, after) ? in : places_function(p, after);
 }
 

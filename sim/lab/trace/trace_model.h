@@ -53,7 +53,7 @@ struct trace_call {
 
 struct trace_wait {
     vtime begin, end;
-    vtime idle; /* of end - begin: the processor was at rest; the rest is the system's */
+    vtime idle; /* of end - begin: the processor was idle; the rest is the system's */
     int32_t node, call;
     int32_t type; /* type or typesel of the message waited for, if has_type */
     bool has_type;
@@ -162,7 +162,7 @@ void trace_free(struct trace *t);
 enum trace_state {
     TRACE_COMPUTING,
     TRACE_IN_CALL,   /* the operating system works for the program's call */
-    TRACE_WAITING,   /* in a call, with the processor at rest */
+    TRACE_WAITING,   /* in a call, with the processor idle */
     TRACE_IN_SYSTEM, /* the operating system works for a message, which the program did not ask for now */
     TRACE_ENDED,     /* without a program */
     TRACE_STATES

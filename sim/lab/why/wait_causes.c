@@ -30,7 +30,7 @@ const char *wait_cause_key(enum wait_cause c)
     return CAUSES[c].key;
 }
 
-/* An interval in which the waiting processor was at rest. */
+/* An interval in which the waiting processor was idle. */
 struct rest {
     vtime begin, end;
 };
@@ -50,7 +50,7 @@ struct division {
     vtime idle[WAIT_CAUSES][TRACE_STATES]; /* so far */
 };
 
-/* --- when the processor was at rest --- */
+/* --- when the processor was idle --- */
 
 static void add_rest(struct division *d, vtime begin, vtime end)
 {
@@ -126,7 +126,7 @@ static void find_rests(struct division *d)
         give_rest(d, w, w->idle - sum);
 }
 
-/* Of the time from a to b: in which the wait's processor was at rest. */
+/* Of the time from a to b: in which the wait's processor was idle. */
 static vtime idle_in(const struct division *d, vtime a, vtime b)
 {
     size_t low = 0, high = d->rest_count;

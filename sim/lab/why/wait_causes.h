@@ -2,7 +2,7 @@
  *
  * A wait is divided along the way of the message that ended it (message_way.h). While the message was on
  * that way, the leg is the cause; before it was sent, what its sender did. Only time counts in which the
- * waiting processor was at rest. So the amounts are exact, and their sum is the nodes' idle time, as
+ * waiting processor was idle. So the amounts are exact, and their sum is the nodes' idle time, as
  * touchstone run --json gives it. */
 #ifndef LAB_WHY_WAIT_CAUSES_H
 #define LAB_WHY_WAIT_CAUSES_H

@@ -68,8 +68,10 @@ static void classes(struct why *w, FILE *f)
     struct why_unit u = why_unit_for(w->length);
     bool said[WHY_CLASSES] = {false};
     struct ink ink = ink_for(f);
-    fprintf(f, "%sCritical path, %-10s steps %8s %7s %22s %13s%s\n", ink.bold,
-            number_grouped(w->path.count).text, u.name, "%", "if it took no time", "times faster", ink.off);
+    char *title = xasprintf("Critical path, %s steps", number_grouped(w->path.count).text);
+    fprintf(f, "%s%-30s %12s %7s %22s %15s%s\n", ink.bold, title, u.name, "%", "if it took no time",
+            "times faster", ink.off);
+    free(title);
     for (int n = 0; n < WHY_CLASSES; n++) {
         int most = -1;
         for (int i = 0; i < WHY_CLASSES; i++)

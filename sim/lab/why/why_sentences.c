@@ -89,9 +89,9 @@ static struct part part_of(struct why *w, int32_t node)
     return p;
 }
 
-/* The functions of the program that have most of a class: "most of it in a (1 s) and b (2 s)". */
-static void name_functions(struct why *w, const struct part *p, enum why_class class, const char *before,
-                           FILE *f)
+/* The functions of the program that have most of a class: ", mostly in a (2 s) and b (1 s)"; or if that is
+ * less than half of it, ", among others in a (2 s) and b (1 s)". */
+static void name_functions(struct why *w, const struct part *p, enum why_class class, const char *in, FILE *f)
 {
     struct why_unit u = why_unit_for(w->length);
     struct tally functions = {0};
@@ -102,10 +102,18 @@ static void name_functions(struct why *w, const struct part *p, enum why_class c
             tally_add(&functions, name, s->end - s->begin);
     }
     tally_sort(&functions);
-    for (size_t i = 0; i < functions.count && i < 2; i++)
-        if (i == 0 || functions.rows[i].time >= p->of[class] / 10)
-            fprintf(f, "%s%s (%s)", i ? " and " : before, functions.rows[i].label,
-                    why_time(u, functions.rows[i].time).text);
+    size_t named = functions.count < 2 ? functions.count : 2;
+    if (named == 2 && functions.rows[1].time < p->of[class] / 10)
+        named = 1;
+    vtime sum = 0;
+    for (size_t i = 0; i < named; i++)
+        sum += functions.rows[i].time;
+    for (size_t i = 0; i < named; i++)
+        fprintf(f, "%s%s%s (%s)",
+                i                         ? " and "
+                : sum >= p->of[class] / 2 ? ", mostly "
+                                          : ", among others ",
+                i ? "" : in, functions.rows[i].label, why_time(u, functions.rows[i].time).text);
     tally_free(&functions);
 }
 
@@ -136,16 +144,18 @@ static vtime entering_on(const struct why *w, int32_t node)
     return sum;
 }
 
-static void say_handlers(struct why *w, const struct part *p, FILE *f)
+/* Says how long handlers took, behind " There," or nothing. */
+static void say_handlers(struct why *w, const struct part *p, const char *before, FILE *f)
 {
     struct why_unit u = why_unit_for(w->length);
-    fprintf(f, " %s handlers took %s (%s)", number_grouped(handlers_on(w, p->node)).text,
+    fprintf(f, "%s %s handlers took %s (%s)", before, number_grouped(handlers_on(w, p->node)).text,
             why_time(u, p->of[WHY_HANDLERS]).text, why_percent(p->of[WHY_HANDLERS], w->length).text);
-    name_functions(w, p, WHY_HANDLERS, ", mostly for ", f);
+    name_functions(w, p, WHY_HANDLERS, "for ", f);
     fprintf(f, "; entering and leaving them took %s of it.", why_time(u, entering_on(w, p->node)).text);
 }
 
-static void say_class(struct why *w, const struct part *p, enum why_class class, FILE *f)
+/* Of one node's part of the path, the first sentence says that its times are those of that part. */
+static void say_class(struct why *w, const struct part *p, enum why_class class, bool first, FILE *f)
 {
     static const char *const WORDS[WHY_CLASSES] = {
         [WHY_COMPUTING] = "the program computed",
@@ -159,14 +169,16 @@ static void say_class(struct why *w, const struct part *p, enum why_class class,
         [WHY_WAITING] = "calls waited for a service, or for what the trace does not have",
         [WHY_ABSENT] = "no program was there",
     };
+    bool there = first && p->node != TRACE_NONE;
     if (class == WHY_HANDLERS) {
-        say_handlers(w, p, f);
+        say_handlers(w, p, there ? " There," : "", f);
         return;
     }
-    fprintf(f, " For %s (%s) %s", why_time(why_unit_for(w->length), p->of[class]).text,
-            why_percent(p->of[class], w->length).text, WORDS[class]);
+    fprintf(f, " %s %s (%s) %s", there ? "There, for" : "For",
+            why_time(why_unit_for(w->length), p->of[class]).text, why_percent(p->of[class], w->length).text,
+            WORDS[class]);
     if (class == WHY_COMPUTING)
-        name_functions(w, p, class, ", mostly in ", f);
+        name_functions(w, p, class, "in ", f);
     fputc('.', f);
 }
 
@@ -181,7 +193,7 @@ static void say_classes(struct why *w, const struct part *p, FILE *f)
                 most = i;
         if (most < 0)
             break;
-        say_class(w, p, (enum why_class)most, f);
+        say_class(w, p, (enum why_class)most, n == 0, f);
         said[most] = true;
     }
 }

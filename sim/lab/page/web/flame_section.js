@@ -20,10 +20,10 @@ function readStacks(text) {
 }
 
 function flameSummary(text) {
-    const root = readStacks(text);
+    const root = readStacks(text), top = frameSums(root)[0];
     return {
         kind: 'Flame graph',
-        big: plural(root.value, 'unit'),
+        big: top ? `${(top.own / root.value * 100).toFixed(1)} % in ${top.name}` : 'no frame',
         small: `${plural(text.split('\n').filter(Boolean).length, 'stack')}`
     };
 }
@@ -131,8 +131,8 @@ function flameBox(flame, {node, x, w}, y, height) {
     return g;
 }
 
-/* By name: with what it called, and itself alone. */
-function flameTable(root) {
+/* By name: with what it called, and itself alone; the largest of these first. */
+function frameSums(root) {
     const sums = new Map();
     const add = (node, above) => {
         const sum = sums.get(node.name) || {name: node.name, all: 0, own: 0};
@@ -143,11 +143,15 @@ function flameTable(root) {
         node.children.forEach(c => add(c, [...above, node.name]));
     };
     root.children.forEach(c => add(c, []));
+    return [...sums.values()].sort((a, b) => b.own - a.own);
+}
+
+function flameTable(root) {
     return figureTable('Frames',
         [
             {name: 'Frame', text: true, get: s => s.name}, {name: 'itself', get: s => s.own},
             {name: 'with what it called', get: s => s.all},
             {name: 'share', get: s => s.all / root.value, show: v => `${(v * 100).toFixed(2)} %`}
         ],
-        [...sums.values()].sort((a, b) => b.own - a.own));
+        frameSums(root));
 }

@@ -193,7 +193,7 @@ function axes(o, x, y, width, height, margin) {
 
 function axisNumber(t) {
     const size = Math.abs(t);
-    return size >= 1e6 || (size < 1e-3 && size > 0) ? d3.format('.1~s')(t).replace('µ', 'µ')
+    return size >= 1e6 || (size < 1e-3 && size > 0) ? d3.format('.6~s')(t)
                                                     : String(Number(t.toPrecision(6)));
 }
 

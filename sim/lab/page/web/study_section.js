@@ -23,6 +23,12 @@ function studyFigures(data) {
     return [...known.filter(k => found.has(k)), ...[...found].filter(k => !known.includes(k)).sort()];
 }
 
+/* A figure's name for people: "idle, %" of idle_pct. */
+function figureWords(key) {
+    const [, stem, unit] = key.match(/^(.*?)(?:_(s|ms|us|ps|pct|bytes))?$/);
+    return stem.replace(/_/g, ' ') + (unit ? ', ' + (unit === 'pct' ? '%' : unit) : '');
+}
+
 function isNumeric(values) { return values.length > 1 && values.every(v => typeof v === 'number'); }
 
 function studySection(data, name) {
@@ -120,7 +126,7 @@ function studyControls(data, axes, several, figures, numeric, state, chart, upda
             chart.figure.closest('section').querySelector('select').focus();
     };
     return [
-        choice('Figure', names(figures), state.y, v => keep('y', v)),
+        choice('Figure', figures.map(key => [key, figureWords(key)]), state.y, v => keep('y', v)),
         choice('against', names(numeric), state.x, v => keep('x', v)),
         choice('a line for each', [...names(several.filter(a => a !== state.x)), ['', '(one line)']],
             state.lines, v => keep('lines', v)),
@@ -150,19 +156,19 @@ function studyOptions(data, axes, state) {
     const series = (state.lines ? data.axes[state.lines] : [null]).map(value => ({
         name:
             value === null
-                ? state.y
+                ? figureWords(state.y)
                 : `${state.lines === 'scheme' || typeof value === 'string' ? '' : state.lines + ' '}${value}`,
         points: points.filter(p => value === null || p[state.lines] === value).map(p => ({
             x: p[state.x],
             y: p[state.y],
             marked: p.added,
-            tip: `${axes.map(a => `${a} ${p[a]}`).join(', ')}\n${state.y} ${p[state.y]}`
+            tip: `${axes.map(a => `${a} ${p[a]}`).join(', ')}\n${figureWords(state.y)}: ${p[state.y]}`
         }))
     }));
     return {
-        title: `${state.y} against ${state.x}`,
+        title: `${figureWords(state.y).split(', ')[0]} against ${state.x}`,
         xLabel: state.x,
-        yLabel: state.y,
+        yLabel: figureWords(state.y),
         series,
         ticksX: data.axes[state.x].length <= 16 ? [...data.axes[state.x]].sort((a, b) => a - b) : null
     };
