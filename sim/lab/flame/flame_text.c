@@ -1,10 +1,12 @@
 /* flame_text.c - profiles as folded stacks, tables and JSON: see flame.h. */
 #include <inttypes.h>
 #include <jansson.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "files/json_set.h"
 #include "files/text_file.h"
+#include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 #include "lab/flame/flame.h"
 
@@ -52,6 +54,14 @@ static double seconds(vtime t)
     return vt_seconds(t);
 }
 
+/* The decimals of all seconds of a table: the run's whole time has five digits. */
+static int decimals(const struct flame *f)
+{
+    double all = seconds(f->root->total[FLAME_NOW]);
+    int after = all > 0 ? 4 - (int)floor(log10(all)) : 0;
+    return after < 0 ? 0 : after < 12 ? after : 12;
+}
+
 static double percent(const struct flame *f, const vtime t[FLAME_PROFILES], int profile)
 {
     return 100 * flame_share(f, t, profile);
@@ -60,11 +70,12 @@ static double percent(const struct flame *f, const vtime t[FLAME_PROFILES], int 
 static void write_head(const struct flame *f, FILE *out)
 {
     for (int p = 0; p < FLAME_PROFILES && f->program[p]; p++)
-        fprintf(out, "%s%s: %" PRIu32 " nodes, %.6f s; in programs %.6f s of nodes' time\n",
+        fprintf(out, "%s%s: %" PRIu32 " node%s, %s; in programs %s of nodes' time\n",
                 !flame_is_diff(f) ? ""
                 : p == FLAME_NOW  ? "now     "
                                   : "before  ",
-                f->program[p], f->nodes[p], seconds(f->end[p]), seconds(f->root->total[p]));
+                f->program[p], f->nodes[p], f->nodes[p] == 1 ? "" : "s",
+                duration_text(seconds(f->end[p])).text, duration_text(seconds(f->root->total[p])).text);
     fputc('\n', out);
 }
 
@@ -85,8 +96,8 @@ static void write_tree(const struct flame *flame, const struct flame_frame *f, i
 {
     size_t count = 0;
     if (f->parent) {
-        fprintf(out, "%6.2f%% %6.2f%% %14.6f  %*s%s", percent(flame, f->total, 0), percent(flame, f->self, 0),
-                seconds(f->total[0]), 2 * (depth - 1), "", f->name);
+        fprintf(out, "%6.2f%% %6.2f%% %14.*f  %*s%s", percent(flame, f->total, 0), percent(flame, f->self, 0),
+                decimals(flame), seconds(f->total[0]), 2 * (depth - 1), "", f->name);
         fprintf(out, f->kind == FLAME_INLINED ? "  (inlined)\n" : "\n");
     }
     for (const struct flame_frame *c = f->children; c; c = c->next)
@@ -127,6 +138,7 @@ static void write_changes(const struct flame *f, FILE *out)
 {
     struct change *list = NULL;
     size_t count = 0;
+    int after = decimals(f);
     collect_changes(f->root, &list, &count);
     if (count)
         qsort(list, count, sizeof *list, largest_first);
@@ -135,8 +147,8 @@ static void write_changes(const struct flame *f, FILE *out)
     if (count)
         fprintf(out, "%14s %14s %14s  %s\n", "before", "now", "change (s)", "frame");
     for (size_t i = 0; i < count && i < SHOWN_CHANGES; i++) {
-        fprintf(out, "%14.6f %14.6f %+14.6f  ", seconds(list[i].frame->self[1]),
-                seconds(list[i].frame->self[0]), (double)list[i].by / (double)VT_SECOND);
+        fprintf(out, "%14.*f %14.*f %+14.*f  ", after, seconds(list[i].frame->self[1]), after,
+                seconds(list[i].frame->self[0]), after, (double)list[i].by / (double)VT_SECOND);
         write_stack(list[i].frame, out);
         fputc('\n', out);
     }
@@ -240,11 +252,12 @@ static void write_line(const struct flame *f, const struct flame_line *l, struct
 {
     char *place = xasprintf("%s:%d", l->file, l->line);
     fprintf(out, "%6.2f%% ", percent(f, l->time, 0));
+    int after = decimals(f);
     if (flame_is_diff(f))
-        fprintf(out, "%14.6f %14.6f %+14.6f", seconds(l->time[1]), seconds(l->time[0]),
+        fprintf(out, "%14.*f %14.*f %+14.*f", after, seconds(l->time[1]), after, seconds(l->time[0]), after,
                 (double)(int64_t)(l->time[0] - l->time[1]) / (double)VT_SECOND);
     else
-        fprintf(out, "%14.6f", seconds(l->time[0]));
+        fprintf(out, "%14.*f", after, seconds(l->time[0]));
     fprintf(out, "  %-28s %-18s", place, l->function);
     write_source(s, l, out);
     fputc('\n', out);
@@ -269,9 +282,9 @@ void flame_write_lines(const struct flame *f, FILE *out)
         write_line(f, &f->lines[i], &s, out);
     }
     if (f->line_count > SHOWN_LINES)
-        fprintf(out, "%14.6f s in %zu more lines (-f json has them all)\n", seconds(all - shown),
-                f->line_count - SHOWN_LINES);
-    fprintf(out, "\nThe lines compute for %.6f s; the rest is the system's time and waiting.\n",
-            seconds(all));
+        fprintf(out, "%s in %zu more lines (-f json has them all)\n",
+                duration_text(seconds(all - shown)).text, f->line_count - SHOWN_LINES);
+    fprintf(out, "\nThe lines compute for %s; the rest is the system's time and waiting.\n",
+            duration_text(seconds(all)).text);
     free(s.text);
 }
