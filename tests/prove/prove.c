@@ -211,8 +211,11 @@ static int run_provers(const struct options *o, struct shared *all)
         show_progress(all, begin, false);
         if (child == 0)
             sleep(1);
-        for (unsigned i = 0; child > 0 && i < o->jobs; i++)
+        for (unsigned i = 0; child > 0 && i < o->jobs; i++) {
             left -= prover[i] == child, status |= prover[i] == child && s ? 2 : 0;
+            if (prover[i] == child && WIFSIGNALED(s))
+                fprintf(stderr, "prove: a process that tries programs ended: %s\n", strsignal(WTERMSIG(s)));
+        }
     }
     for (unsigned i = 0; i < o->load; i++)
         kill(load[i], SIGKILL);
