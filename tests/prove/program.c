@@ -295,6 +295,8 @@ static int by_key(const void *a, const void *b)
 
 static void set_number(struct program *p, const char *key, double x)
 {
+    if (p->set_count == MOST_SET)
+        abort();
     snprintf(p->set[p->set_count++], sizeof p->set[0], "%s=%.10g", key, x);
 }
 

@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-enum { MOST_NODES = 64, HOST = MOST_NODES, SCRIPTS, MOST_SET = 10, VALUES = 4 };
+enum { MOST_NODES = 64, HOST = MOST_NODES, SCRIPTS, MOST_SET = 16, VALUES = 4 };
 
 struct op {
     int number; /* in ops.def */

@@ -16,7 +16,7 @@
 const char *const RESULT_NAMES[RESULTS] = {"messages", "output", "errors",  "figures",
                                            "profile",  "trace",  "schedule"};
 
-enum { MOST_ARGUMENTS = 256, PATIENCE_S = 1200 }; /* only what hangs takes so long, on a busy computer, too */
+enum { MOST_ARGUMENTS = 64, PATIENCE_S = 1200 }; /* only what hangs takes so long, on a busy computer, too */
 
 /* --- arguments --- */
 
