@@ -112,7 +112,10 @@ static void unknown_name_lists_the_known(void **state)
     strcat(home, "/machines");
     assert_null(cfg_load("detla", home, &error));
     assert_non_null(strstr(error, "no machine \"detla\""));
-    assert_non_null(strstr(error, "delta, ipsc860"));
+    assert_non_null(strstr(error, "did you mean delta? There are: cluster2026, delta, ipsc860"));
+    free(error);
+    assert_null(cfg_load("sequoia", home, &error));
+    assert_non_null(strstr(error, "; there are: cluster2026, delta"));
     free(error);
 }
 
