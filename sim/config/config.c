@@ -5,7 +5,6 @@
 #include "config/reader.h"
 #include "config/setting.h"
 #include "kernel/xalloc.h"
-#include "nx_api/contract/edit_distance.h"
 
 #include <dirent.h>
 #include <limits.h>
@@ -280,18 +279,18 @@ static char *machine_meant(const char *name, const char *dir)
 {
     struct dirent **found = NULL;
     int count = scandir(dir, &found, is_machine, by_name);
-    char *best = NULL;
-    size_t distance, least = SIZE_MAX;
+    const char **names = xcalloc((size_t)(count > 0 ? count : 0) + 1, sizeof *names);
     for (int i = 0; i < count; i++) {
         found[i]->d_name[strlen(found[i]->d_name) - 4] = '\0';
-        if (edit_alike(name, found[i]->d_name, &distance) && distance < least) {
-            free(best);
-            best = xstrdup(found[i]->d_name), least = distance;
-        }
-        free(found[i]);
+        names[i] = found[i]->d_name;
     }
+    const char *best = cfg_meant(name, names);
+    char *meant = best ? xstrdup(best) : NULL;
+    for (int i = 0; i < count; i++)
+        free(found[i]);
     free(found);
-    return best;
+    free(names);
+    return meant;
 }
 
 /* "no machine "x" ...; did you mean ipsc860? There are: delta, ipsc860" */
