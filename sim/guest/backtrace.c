@@ -50,6 +50,18 @@ void backtrace_print(FILE *f, const struct node *n, const char *how, uintptr_t a
                 node_image_where(n->guest.file, address - (uintptr_t)n->guest.program, where, sizeof where));
 }
 
+void backtrace_print_frames(FILE *f, const struct node *n, const char *how, const uintptr_t *frames,
+                            int depth)
+{
+    for (int i = 0, same; i < depth; i += same) {
+        for (same = 1; i + same < depth && frames[i + same] == frames[i];)
+            same++;
+        backtrace_print(f, n, i ? "called from" : how, frames[i]);
+        if (same > 1 && backtrace_in_program(n, frames[i]))
+            fprintf(f, ", %s%d times", i + same == depth ? "at least " : "", same);
+    }
+}
+
 /* (How MPI's library is made is no concern of the program's.) */
 static bool is_of_mpi(const struct node *n, uintptr_t address)
 {
@@ -63,8 +75,10 @@ void backtrace_print_calls(FILE *f, const struct node *n, uintptr_t frame)
     int depth = backtrace_walk(n, frame, returns, MOST_CALLS), first = 0;
     while (first < depth && is_of_mpi(n, returns[first] - 1))
         first++;
-    for (int i = first < depth ? first : 0; i < depth; i++)
-        backtrace_print(f, n, "called from", returns[i] - 1);
+    for (int i = 0; i < depth; i++)
+        returns[i]--;
+    first = first < depth ? first : 0;
+    backtrace_print_frames(f, n, "called from", returns + first, depth - first);
 }
 
 const char *backtrace_mpi_call(const struct node *n, const uintptr_t *frames, int depth, int *outside)

@@ -13,6 +13,10 @@ int backtrace_walk(const struct node *n, uintptr_t frame, uintptr_t *returns, in
 bool backtrace_in_program(const struct node *n, uintptr_t address);
 /* Prints a newline and "  HOW FUNCTION (FILE:LINE)"; nothing for an address outside of the program. */
 void backtrace_print(FILE *f, const struct node *n, const char *how, uintptr_t address);
+/* Prints such a line for each frame, the innermost first and with HOW, the others as "called from". Calls of
+ * a function by itself are one line. */
+void backtrace_print_frames(FILE *f, const struct node *n, const char *how, const uintptr_t *frames,
+                            int depth);
 /* Prints such a line for each call under way in the program, from a frame upwards. */
 void backtrace_print_calls(FILE *f, const struct node *n, uintptr_t frame);
 

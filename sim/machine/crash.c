@@ -273,7 +273,7 @@ static void print_cause(FILE *f, const struct node *n)
         fprintf(f, ": 0x%zx, a number or text used as a pointer, or one that was never set",
                 (size_t)g->address);
     else if (memory && g->address < stack && g->address >= stack - (1 << 16))
-        fprintf(f, ": its stack of %zu KB overflowed (stack_kb in the machine file)",
+        fprintf(f, ": its stack of %zu KB overflowed (--set node.stack_kb=N gives more)",
                 (size_t)(n->sys->cfg->stack_bytes >> 10));
     else if (memory && g->address == 0)
         fprintf(f, ": a null pointer");
@@ -342,8 +342,7 @@ static void print_frames(FILE *f, const struct node *n, const uintptr_t *frames,
         const char *called = g->depth > 1 ? backtrace_called(n, g->frames[1]) : NULL;
         fprintf(f, "\n  in %s", called ? called : "a library function");
     }
-    for (int i = 0; i < depth; i++)
-        backtrace_print(f, n, i ? "called from" : "in", frames[i]);
+    backtrace_print_frames(f, n, "in", frames, depth);
 }
 
 char *crash_report(const struct node *n)
@@ -361,8 +360,7 @@ char *crash_report(const struct node *n)
     print_cause(f, n);
     if (mpi && outside < depth) {
         print_given(f, g, mpi);
-        for (int i = outside; i < depth; i++)
-            backtrace_print(f, n, "called from", frames[i]);
+        backtrace_print_frames(f, n, "called from", frames + outside, depth - outside);
     } else {
         print_frames(f, n, frames, depth);
     }
