@@ -69,7 +69,7 @@ static RUN_SELDOM int wrong(const struct transfer *t, bool sends)
         return fail(t->c, t->call, MPI_ERR_COUNT, "the count %d is negative", t->count);
     if (!type_is_valid(t->type))
         return fail(t->c, t->call, MPI_ERR_TYPE, "the datatype is null, freed, or not committed");
-    return fail(t->c, t->call, MPI_ERR_BUFFER, "the buffer of %d elements is a null pointer", t->count);
+    return fail(t->c, t->call, MPI_ERR_BUFFER, "the buffer is a null pointer, and the count is %d", t->count);
 }
 
 static inline __attribute__((always_inline)) int check(struct transfer *t, bool sends)

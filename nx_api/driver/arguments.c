@@ -117,7 +117,8 @@ static void refuse(const char *s, bool mpi)
              s);
     if (!strncmp(s, "-fsanitize", 10) || !strcmp(s, "-pg") || !strcmp(s, "-fopenmp") ||
         !strcmp(s, "-pthread") || !strcmp(s, "--coverage"))
-        fail("%s: needs a library that a node does not have", s);
+        fail("%s: needs a library that a node does not have%s", s,
+             strcmp(s, "-fsanitize=address") ? "" : "; nxcc's own check of accesses is --asan");
 }
 
 static void refuse_cplusplus(const char *s)

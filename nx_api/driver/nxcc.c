@@ -10,9 +10,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include "nx_api/driver/arguments.h"
+#include "nx_api/driver/call_counts.h"
 #include "nx_api/driver/command.h"
 #include "nx_api/driver/dialect.h"
-#include "nx_api/driver/fortran_calls.h"
 #include "nx_api/driver/intel.h"
 #include "nx_api/driver/longs.h"
 #include "nx_api/driver/mpi_kind.h"
@@ -48,7 +48,7 @@ static void become(const struct arguments *user, const struct places *p, bool li
     if (link) {
         int status = stubs_link(gcc, user, output_of(user));
         if (!status)
-            fortran_calls_check(output_of(user));
+            call_counts_check(output_of(user));
         if (!status && user->long32)
             longs_check(output_of(user));
         if (!status && user->mpi)

@@ -70,12 +70,16 @@ $(PLUGIN_FOLDED):
 
 -include $(PLUGIN_OBJ:.o=.d) $(PLUGIN_HDR).d
 
-# How many arguments the calls of NX and MPI of Fortran programs have.
+# How many arguments the calls of NX have, and those of NX and MPI of Fortran programs.
+C_CALLS := $(NODES)/obj/nx_api/nxcc/language/c_calls.inc
+$(C_CALLS): nx_api/nxcc/language/c-calls $(wildcard nx_api/include/*.h)
+	@mkdir -p $(@D)
+	$< $(NODE_CC) nx_api/include/nx.h >$@.new && mv $@.new $@
 FORTRAN_CALLS := $(NODES)/obj/nx_api/nxcc/language/fortran_calls.inc
 $(FORTRAN_CALLS): nx_api/nxcc/language/fortran-calls $(wildcard nx_api/fortran/* nx_api/common/*.def mpi_api/*/*)
 	@mkdir -p $(@D)
 	$< $(NODE_CC) $(wildcard nx_api/fortran/*.c nx_api/fortran/*.f90 mpi_api/fortran/*.c) >$@.new && mv $@.new $@
-$(NODES)/obj/nx_api/nxcc/language/argument_counts.o: $(FORTRAN_CALLS)
+$(NODES)/obj/nx_api/nxcc/language/argument_counts.o: $(FORTRAN_CALLS) $(C_CALLS)
 
 $(NODE)/count.so: $(PLUGIN_OBJ)
 	@mkdir -p $(@D)

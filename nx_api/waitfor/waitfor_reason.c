@@ -223,9 +223,22 @@ static void print_state(FILE *f, const struct waitfor_node *n, const struct wait
         fputs(", on which no program runs", f);
 }
 
+/* Is it the host, and has it loaded no program? */
+static bool is_alone(const struct waitfor *w, const struct waitfor_node *n)
+{
+    for (uint32_t i = 0; i < w->count; i++)
+        if (&w->nodes[i] != n && w->nodes[i].state != WAITFOR_NO_PROGRAM)
+            return false;
+    return n->is_host;
+}
+
 static void print_any(FILE *f, const struct reasons *r, const struct waitfor_node *n)
 {
     uint32_t living = r->living.nodes + (r->living.host != WAITFOR_ANY);
+    if (is_alone(r->w, n)) {
+        fputs(", and no node has a program.", f);
+        return;
+    }
     if (living == 1) {
         fputs(", and all other nodes have ended.", f);
         return;
@@ -431,6 +444,9 @@ static const char *remedy(const struct waitfor *w, const struct waitfor_node *n)
         n->what == WAITFOR_MESSAGE && waitfor_is_mpi(n->select.pid) ? waitfor_mpi_remedy(n) : NULL;
     if (mpi)
         return mpi;
+    if (is_alone(w, n))
+        return "A host program loads the nodes (load) before it waits for them. Is this the host program? "
+               "touchstone run --host HOST PROGRAM";
     if (n->cause == WAITFOR_TAKEN)
         return remedy_for_taken(n);
     if (n->cause == WAITFOR_MASKED)

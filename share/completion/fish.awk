@@ -36,6 +36,8 @@ function of_command(c,    i, begin) {
         print begin " -a " word[c, i] " -d " quoted(word_text[c, i])
     if (takes[c])
         print begin " -F"
+    if (takes[c] == "machine")
+        print begin " -a '(touchstone --machines)'"
     options_of(c, begin)
 }
 

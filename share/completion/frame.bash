@@ -45,7 +45,10 @@ _PROGRAM() {
         _PROGRAM_words "$options"
         _PROGRAM_more
     else
-        [[ $takes ]] && _PROGRAM_file
+        case $takes in
+        machine) _PROGRAM_machine ;;
+        ?*) _PROGRAM_file ;;
+        esac
         COMPREPLY+=($(compgen -W "$words" -- "$cur"))
     fi
 }

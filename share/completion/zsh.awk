@@ -97,7 +97,8 @@ function arguments(c,    i) {
         print "        '*: :->argument'"
         print "    local -a words_here"
         print "    words_here=(" listed(c) " )"
-        print "    [[ $state == argument ]] && { _describe argument words_here; _files; }"
+        print "    [[ $state == argument ]] && { _describe argument words_here; " \
+              (takes[c] == "machine" ? "_touchstone_machine" : "_files") "; }"
     } else if (program == "nxcc")
         print "        '*: :_gcc'"
     else

@@ -133,7 +133,7 @@ const struct cli_cube_command *cli_cube_command(const char *name)
 static int ask(const char *command, const struct arguments *a)
 {
     char path[SOCKET_PATH], folder[4096], session[16];
-    char *error = socket_path(a->socket, path);
+    char *error = socket_path(a->socket, false, path);
     int status = -1;
     snprintf(session, sizeof session, "%d", (int)getsid(0));
     const struct request r = {command, folder, session, a->cube, a->type, a->word_count, a->words};

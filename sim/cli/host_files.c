@@ -10,13 +10,13 @@ enum { HOST_FILES = CLI_KEY + 0x5000 };
 
 static const char VARIABLE[] = "TOUCHSTONE_HOST_FILES"; /* PATH[:ro]:PATH[:ro]... */
 
-static const struct argp_option OPTIONS[] = {
-    {"host-files", HOST_FILES, "PATH[:ro]", 0,
-     "Let programs use this file of this computer, or all files in this folder; with :ro, only read them. "
-     "May be repeated. They may always use files below the current folder, and read files that their "
-     "arguments name",
-     0},
-    {0}};
+static const char TEXT[] =
+    "Let programs use this file of this computer, or all files in this folder; with :ro, only read them. "
+    "May be repeated. They may always use files below the current folder, and read files that their "
+    "arguments name";
+static const struct argp_option OPTIONS[] = {{"host-files", HOST_FILES, "PATH[:ro]", 0, TEXT, 0}, {0}};
+/* touchstone run's stands beside --cfs. */
+static const struct argp_option RUN_OPTIONS[] = {{"host-files", HOST_FILES, "PATH[:ro]", 0, TEXT, 1}, {0}};
 
 /* --- the option --- */
 
@@ -53,7 +53,7 @@ static error_t hand_on(int key, char *arg, struct argp_state *state)
     return 0;
 }
 
-const struct argp CLI_HOST_FILES = {OPTIONS, keep, NULL, NULL, NULL, NULL, NULL};
+const struct argp CLI_HOST_FILES = {RUN_OPTIONS, keep, NULL, NULL, NULL, NULL, NULL};
 const struct argp CLI_RUNS_HOST_FILES = {OPTIONS, hand_on, NULL, NULL, NULL, NULL, NULL};
 
 /* --- the fence --- */

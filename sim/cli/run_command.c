@@ -121,8 +121,8 @@ static const char DOC[] =
     "  1   a program crashed, ended with an error or ran out of memory, or a limit\n"
     "      was reached\n"
     "  2   deadlock: every program waits, and no message is under way\n"
-    "  3   all programs ended, but races were found (programs built with nxcc --races),\n"
-    "      or --mpi-checks has found something\n"
+    "  3   all programs ended, but races were found (in programs built with\n"
+    "      nxcc --races), or --mpi-checks has found something\n"
     "  64  wrong arguments\n"
     "  65  the machine or the program cannot be used\n"
     "  74  standard output or a result cannot be written\n\n"
@@ -481,7 +481,7 @@ static int run(struct arguments *a)
 }
 
 static const struct argp_child CHILDREN[] = {
-    {&CLI_PROGRAM, 0, NULL, 0}, {&CLI_TIMING, 0, NULL, 0}, {&CLI_HOST_FILES, 0, "Files:", 4}, {0}};
+    {&CLI_PROGRAM, 0, NULL, 0}, {&CLI_TIMING, 0, NULL, 0}, {&CLI_HOST_FILES, 0, NULL, 0}, {0}};
 static const struct argp ARGP = {OPTIONS, parse, CLI_PROGRAM_ARGUMENTS, DOC, CHILDREN, NULL, NULL};
 
 void cli_run_read(int argc, char **argv, struct cli_run_parts *parts)

@@ -100,7 +100,7 @@ static int serve(const struct arguments *a, const struct cfg_machine *cfg, const
     int fd, lock;
     if (!realpath(cfg->path, machine))
         return failed(xstrdup("the machine file has gone"), CLI_EXIT_INPUT);
-    char *error = socket_path(a->socket, path);
+    char *error = socket_path(a->socket, true, path);
     error = error ? error : socket_listen(path, &fd, &lock);
     if (error)
         return failed(error, 1);

@@ -17,7 +17,7 @@ static const struct argp_option OPTIONS[] = {
      0},
     {"until", UNTIL, "TIME", 0,
      "Stop at a virtual time, such as 1.5s, 12ms, 3us, and report where each node is; with --gdb, as --at",
-     0},
+     3}, /* among the limits of a run (program_options.c) */
     {0}};
 
 static void take_timing(struct argp_state *state, struct timing_arguments *a, const char *text)

@@ -274,18 +274,40 @@ int cfg_list_machines(const char *dir, const char *between, FILE *f)
     return count;
 }
 
-/* "no machine "x" ...; there are: delta, ipsc860" - the answer to a misspelt name is the list of names. */
+/* The folder's machine whose name is most like this one; NULL: none is alike. The caller frees it. */
+static char *machine_meant(const char *name, const char *dir)
+{
+    struct dirent **found = NULL;
+    int count = scandir(dir, &found, is_machine, by_name);
+    const char **names = xcalloc((size_t)(count > 0 ? count : 0) + 1, sizeof *names);
+    for (int i = 0; i < count; i++) {
+        found[i]->d_name[strlen(found[i]->d_name) - 4] = '\0';
+        names[i] = found[i]->d_name;
+    }
+    const char *best = cfg_meant(name, names);
+    char *meant = best ? xstrdup(best) : NULL;
+    for (int i = 0; i < count; i++)
+        free(found[i]);
+    free(found);
+    free(names);
+    return meant;
+}
+
+/* "no machine "x" ...; did you mean ipsc860? There are: delta, ipsc860" */
 static char *no_such_machine(const char *name, const char *dir)
 {
+    char *meant = machine_meant(name, dir);
     char *list = NULL;
     size_t size;
     FILE *out = xchecked(open_memstream(&list, &size));
     bool some = cfg_list_machines(dir, ", ", out) > 0;
     fclose(out);
     char *text =
-        xasprintf("no machine \"%s\" in %s; there %s%s (or give the path of a file that ends in .cfg)", name,
-                  dir, some ? "are: " : "are none", list);
+        xasprintf("no machine \"%s\" in %s; %s%s%shere %s%s (or give the path of a file that ends in .cfg)",
+                  name, dir, meant ? "did you mean " : "", meant ? meant : "", meant ? "? T" : "t",
+                  some ? "are: " : "are none", list);
     free(list);
+    free(meant);
     return text;
 }
 

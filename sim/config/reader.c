@@ -57,6 +57,7 @@ enum { MOST_BYTES = 4 << 20 };
 struct reading {
     const char *path;
     const struct reading *by;
+    int line; /* of that file */
     int depth;
 };
 
@@ -83,7 +84,7 @@ static bool check_include(struct cfg_reader *r, const struct reading *file, cons
             xasprintf("%s:%d: @include \"%s\": a file cannot include itself, nor a file that includes it",
                       file->path, number, name);
     else
-        text = read_all(r, &(struct reading){included, file, file->depth + 1});
+        text = read_all(r, &(struct reading){included, file, number, file->depth + 1});
     bool good = text;
     free(text);
     free(included);
@@ -103,6 +104,17 @@ static bool is_pipe(const char *path, const char **why, int *line)
     return true;
 }
 
+/* "mine.cfg:7: @include: x/ipsc860.inc cannot be read: No such file or directory" */
+static char *unreadable(const struct reading *file, int at, const char *why)
+{
+    if (at)
+        return xasprintf("%s:%d: %s", file->path, at, why);
+    if (!file->by)
+        return xasprintf("%s: cannot be read: %s", file->path, why);
+    return xasprintf("%s:%d: @include: %s cannot be read: %s (a path from this file's folder)",
+                     file->by->path, file->line, file->path, why);
+}
+
 /* The text of a file, malloc'd. NULL with r's error set if the file, or one that it includes, is no text
  * file. */
 static char *read_all(struct cfg_reader *r, const struct reading *file)
@@ -112,8 +124,7 @@ static char *read_all(struct cfg_reader *r, const struct reading *file)
     int at, number = 1;
     char *text = is_pipe(file->path, &why, &at) ? NULL : text_file_read(file->path, MOST_BYTES, &why, &at);
     if (!text)
-        r->error = at ? xasprintf("%s:%d: %s", file->path, at, why)
-                      : xasprintf("%s: cannot be read: %s", file->path, why);
+        r->error = unreadable(file, at, why);
     for (const char *line = text; file->depth < DEEPEST && line && *line;
          line += strcspn(line, "\n"), line += *line == '\n', number++)
         if (!check_include(r, file, line, number)) {
@@ -250,14 +261,13 @@ bool cfg_time(struct cfg_reader *r, config_setting_t *in, const char *key, const
     return true;
 }
 
-/* The key most like this one, or NULL. */
-static const char *key_meant(const char *name, const char *const keys[])
+const char *cfg_meant(const char *name, const char *const words[])
 {
     const char *best = NULL;
     size_t distance, least = SIZE_MAX;
-    for (size_t k = 0; keys[k]; k++)
-        if (edit_alike(name, keys[k], &distance) && distance < least)
-            best = keys[k], least = distance;
+    for (size_t k = 0; words[k]; k++)
+        if (edit_alike(name, words[k], &distance) && distance < least)
+            best = words[k], least = distance;
     return best;
 }
 
@@ -275,7 +285,7 @@ bool cfg_only(struct cfg_reader *r, config_setting_t *in, const char *const keys
         char allowed[MAX_TEXT / 2] = "";
         for (size_t used = k = 0; keys[k] && used < sizeof allowed; k++)
             used += (size_t)snprintf(allowed + used, sizeof allowed - used, "%s%s", k ? ", " : "", keys[k]);
-        const char *name = config_setting_name(s), *meant = key_meant(name, keys);
+        const char *name = config_setting_name(s), *meant = cfg_meant(name, keys);
         return cfg_fail(r, s, name, "unknown key; %s%s%snown here: %s", meant ? "did you mean " : "",
                         meant ? meant : "", meant ? "? K" : "k", allowed);
     }

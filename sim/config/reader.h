@@ -45,6 +45,9 @@ bool cfg_number(struct cfg_reader *r, config_setting_t *in, const char *key, dou
  * ("" or "_per_byte") ends the key: short_us_per_byte is key "short", tail "_per_byte". */
 bool cfg_time(struct cfg_reader *r, config_setting_t *in, const char *key, const char *tail, uint64_t *ps);
 
+/* The word (the list ends with NULL) most like this one; NULL: none is alike. */
+const char *cfg_meant(const char *name, const char *const words[]);
+
 /* True when every member of the group is one of keys (ended by NULL): a misspelt key is an error, not a
  * default. */
 bool cfg_only(struct cfg_reader *r, config_setting_t *in, const char *const keys[]);

@@ -59,7 +59,7 @@ void backtrace_print(FILE *f, const struct node *n, const char *how, const uintp
         for (equal = 1; i + equal < count && addresses[i + equal] == addresses[i];)
             equal++;
         if (print_call(f, n, how, addresses[i]) && equal > 1)
-            fprintf(f, ", %d times%s", equal, i + equal == count ? " or more" : "");
+            fprintf(f, ", %s%d times", i + equal == count ? "at least " : "", equal);
     }
 }
 

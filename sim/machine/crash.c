@@ -273,7 +273,7 @@ static void print_cause(FILE *f, const struct node *n)
         fprintf(f, ": 0x%zx, a number or text used as a pointer, or one that was never set",
                 (size_t)g->address);
     else if (memory && g->address < stack && g->address >= stack - (1 << 16))
-        fprintf(f, ": its stack of %zu KB overflowed (stack_kb in the machine file)",
+        fprintf(f, ": its stack of %zu KB overflowed (--set node.stack_kb=N gives more)",
                 (size_t)(n->sys->cfg->stack_bytes >> 10));
     else if (memory && g->address == 0)
         fprintf(f, ": a null pointer");

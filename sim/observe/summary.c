@@ -167,9 +167,13 @@ void summary_print(const struct machine *m, const struct race_reports *races, bo
     print_handlers(m, f);
     print_livelocks(m, f);
     print_files(m, f);
-    if (machine_nodes(m))
-        fprintf(f, "memory         %.2f MB at most (node %u), of %.2f MB for programs\n",
-                (double)peak / 1048576, where, (double)node_memory_limit(m->sys.nodes[0]) / 1048576);
+    if (machine_nodes(m)) {
+        size_t limit = node_memory_limit(m->sys.nodes[0]);
+        fprintf(f, "memory         %.2f MB at most (node %u), of %.2f MB for programs%s\n",
+                (double)peak / 1048576, where, (double)limit / 1048576,
+                peak > limit ? "; short messages that nobody received took the rest: they always find room"
+                             : "");
+    }
     print_absent(&m->sys, f);
     print_guards(m->sys.guards, f);
     race_print_count(races, f);

@@ -13,11 +13,13 @@
 #include "kernel/xalloc.h"
 
 /* Anybody can make a folder in /tmp: it must belong to this user, and be closed to others. */
-static char *own_folder(const char *path)
+static char *own_folder(const char *path, bool to_listen)
 {
     struct stat st;
-    if (mkdir(path, 0700) && errno != EEXIST)
+    if (to_listen && mkdir(path, 0700) && errno != EEXIST)
         return xasprintf("%s cannot be made: %m", path);
+    if (!to_listen && access(path, F_OK) != 0)
+        return NULL; /* no service has listened there */
     if (lstat(path, &st) || !S_ISDIR(st.st_mode) || st.st_uid != getuid() || st.st_mode & 077)
         return xasprintf(
             "%s is not a folder of yours that is closed to others (mode 0700): remove it, or give --socket",
@@ -25,7 +27,7 @@ static char *own_folder(const char *path)
     return NULL;
 }
 
-char *socket_path(const char *given, char path[SOCKET_PATH])
+char *socket_path(const char *given, bool to_listen, char path[SOCKET_PATH])
 {
     const char *named = getenv("TOUCHSTONE_SRM"), *runtime = getenv("XDG_RUNTIME_DIR");
     char *error = NULL;
@@ -36,7 +38,7 @@ char *socket_path(const char *given, char path[SOCKET_PATH])
         n = snprintf(path, SOCKET_PATH, "%s/touchstone-srm", runtime);
     } else {
         snprintf(path, SOCKET_PATH, "/tmp/touchstone-%u", (unsigned)getuid());
-        error = own_folder(path);
+        error = own_folder(path, to_listen);
         n = snprintf(path, SOCKET_PATH, "/tmp/touchstone-%u/srm", (unsigned)getuid());
     }
     if (error || (n > 0 && n < SOCKET_PATH))

@@ -11,8 +11,9 @@
 enum { SOCKET_PATH = 108 }; /* as long as an address may be */
 
 /* Writes the socket's path: given, else $TOUCHSTONE_SRM, else $XDG_RUNTIME_DIR/touchstone-srm, else
- * /tmp/touchstone-UID/srm. Returns NULL, or what is wrong (malloc'd). */
-char *socket_path(const char *given, char path[SOCKET_PATH]);
+ * /tmp/touchstone-UID/srm, whose folder is made if a service is to listen there. Returns NULL, or what is
+ * wrong (malloc'd). */
+char *socket_path(const char *given, bool to_listen, char path[SOCKET_PATH]);
 
 /* Listens, and sets the descriptors of socket and lock. Replaces what a dead service has left. Returns NULL,
  * or what is wrong (malloc'd). */

@@ -81,7 +81,7 @@ static bool read_format(struct reader *r)
     if (r->begun || r->words != 2 || strcmp(r->word[0], "touchstone-schedule"))
         return fail(r, "%s",
                     r->begun ? "the format's name stands twice"
-                             : "this is no schedule: its first line is 'touchstone-schedule 1'");
+                             : "this is no schedule: one begins with the line 'touchstone-schedule 1'");
     if (strcmp(r->word[1], "1"))
         return fail(r, "this touchstone reads schedules of format 1, not %s", r->word[1]);
     return r->begun = true;

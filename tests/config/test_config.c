@@ -112,7 +112,10 @@ static void unknown_name_lists_the_known(void **state)
     strcat(home, "/machines");
     assert_null(cfg_load("detla", home, &error));
     assert_non_null(strstr(error, "no machine \"detla\""));
-    assert_non_null(strstr(error, "delta, ipsc860"));
+    assert_non_null(strstr(error, "did you mean delta? There are: cluster2026, delta, ipsc860"));
+    free(error);
+    assert_null(cfg_load("sequoia", home, &error));
+    assert_non_null(strstr(error, "; there are: cluster2026, delta"));
     free(error);
 }
 
@@ -305,7 +308,13 @@ static void included_files_are_named_by_path(void **state)
         assert_string_equal(error, cases[i][1]);
         free(error);
     }
-    unlink("folder/toy.cfg"), unlink("folder/toy.inc");
+    char *error = NULL;
+    unlink("folder/toy.inc");
+    assert_null(cfg_load("folder/toy.cfg", "nowhere", &error));
+    assert_string_equal(error, "folder/toy.cfg:1: @include: folder/toy.inc cannot be read: No such file or "
+                               "directory (a path from this file's folder)");
+    free(error);
+    unlink("folder/toy.cfg");
     assert_int_equal(rmdir("folder"), 0);
 }
 

@@ -18,6 +18,8 @@ for c in $commands "trace info" "trace show" "trace export" "trace why"; do
     check "$c --help" grep -q "^Usage: touchstone $c" out
     check "$c --help: status" ended_with 0
     check "$c --help: no line is broken by its end" test -z "$(awk 'length > 79' out)"
+    check "$c --help: no line of a list is broken" test -z "$(awk '/^(Exit status|Examples?|An input .*):$/ { list = 1; next } /^$/ { list = 0 } list && !/^  /' out)"
+    check "$c --help: groups of options are apart by one line" test -z "$(awk 'NR > 1 && before == "" && $0 == ""; { before = $0 }' out)"
     check "$c -h is --help" cmp out <("$BUILD/touchstone" $c -h)
     check "$c --help: an example" grep -qE '^Examples?:' out
     check "$c --help: exit statuses" grep -q '^Exit status:' out

@@ -51,7 +51,7 @@ gate b.json --junit j.xml halves.cfg
 check "slower is worse" ended_with 1
 check "which is not the compiler's doing" bash -c '! grep -q "compiled by" out'
 check "by how much is said" shows '^  worse   total_s +[0-9.]+ -> [0-9.]+ \(\+[0-9.]+ %, \+[0-9.e-]+\)$'
-check "and where" shows '^    others    system: all tasks \+[0-9.]+ s'
+check "and where" shows '^    nodes     system: all tasks \+[0-9.]+ s'
 check "JUnit has both points" grep -q '<testsuite name="halves" tests="2" failures="2" errors="0"' j.xml
 check "JUnit is XML" xmllint --noout j.xml
 gate b.json --only total_s halves.cfg

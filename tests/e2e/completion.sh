@@ -29,6 +29,7 @@ proposes space-time touchstone trace show --by bytes gantt space
 proposes "messages" touchstone trace export -f csv --table m
 proposes "" touchstone run -n ""
 proposes "ipsc860 ipsc860-8mb" touchstone run -m ips
+proposes delta touchstone machines show del
 proposes "" touchstone getcube x
 mkdir folder
 touch filed ./--notes

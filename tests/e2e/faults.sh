@@ -15,7 +15,7 @@ fault() { # HOW STATUS TEXT [TEXT...]
     for text; do check "$how: $text" said "$text"; done
 }
 called='^  called from main\+0x[0-9a-f]+ \(faults.c:'
-fault stack 1 'node 1 crashed .*: its stack of [0-9]+ KB overflowed' '^  in recurse.*faults.c:' '^  called from recurse.*faults.c:[0-9]+\), [0-9]+ times or more$'
+fault stack 1 'node 1 crashed .*: its stack of [0-9]+ KB overflowed' '^  in recurse.*faults.c:' '^  called from recurse.*\(faults.c:[0-9]+\), at least [0-9]+ times$' 'node.stack_kb=N gives more'
 fault divide 1 'node 1 crashed .*: integer division by zero' '^  in divide.*faults.c:'
 fault float_divide 1 'node 1 crashed .*: floating-point division by zero, an exception that it has unmasked' '^  in main.*faults.c:'
 fault enabled_divide 1 'node 1 crashed .*: floating-point division by zero, an exception that it has unmasked' '^  in main.*faults.c:'
@@ -183,3 +183,19 @@ check "no gnuplot: the results are there, too" grep -q '^nodes' p/results.csv
 # --- clocks: only the host's monotonic clock measures ---
 check "no file of the simulator measures by the clock that people set" \
     bash -c '! grep -rnE "CLOCK_REALTIME|gettimeofday\(" "$0"/../../sim --include=*.c | grep -v "sim/guest/\|clock_gettime(CLOCK_REALTIME_COARSE"' "$tests"
+
+# --- short messages find room whatever a node's memory is ---
+cat >flood.c <<'E'
+#include <nx.h>
+int main(void)
+{
+    char text[100] = "";
+    for (long i = 0; mynode() == 0 && i < 200000; i++)
+        csend(1, text, sizeof text, 1, 0);
+    return 0;
+}
+E
+"$BUILD/nxcc" -O2 -o flood flood.c
+run -n 2 flood
+check "a node that is flooded: the summary says what is beyond its memory" \
+    said '^memory +[0-9.]+ MB at most \(node 1\), of 14.50 MB for programs; short messages that nobody received took the rest'

@@ -58,6 +58,13 @@ check "a study: with the same results" diff <(grep -v wall_time alone/results.js
 check "a study: no more than two points a process ran twice" [ "$(wc -l <runs.log)" -le 24 ]
 
 empty
+fill_to 16
+mkdir full/pictures
+parallel 1 "$BUILD/touchstone" plot --lines= alone -o full/pictures
+check "a picture: gnuplot says nothing, but the command does" said '^touchstone plot: .*full/pictures/time.png cannot be written whole: is the disk full'
+check "a picture: half of one is not left" [ -z "$(ls full/pictures)" ]
+
+empty
 "$BUILD/nxcc" -O2 -g -o first_comes "$tests/first_comes.c" 2>compile.err
 report() { sed '/^  [0-9]* runs made in/,$d' "$1"; }
 explore() { parallel 2 "$BUILD/touchstone" explore -j 1 -n 4 --runs 6 --tests 4 -o full/found ./first_comes; }

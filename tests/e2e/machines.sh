@@ -41,6 +41,6 @@ machines show
 check "which machine?" ended_with 64
 machines show detla
 check "no such machine" ended_with 65
-check "the list is the answer" said 'there are: .*delta'
+check "the list is the answer" said '[Tt]here are: .*delta'
 machines dif
 check "a command misspelt" said "no command 'machines dif'; did you mean 'machines diff'"

@@ -11,6 +11,8 @@ for page in nxcc.1 nxf77.1 touchstone.1 touchstone-{run,machines,study,explore,p
     check "$page: is there, and clean" clean
 done
 
+check "groups of options are subsections" grep -q '^\.SS "Machine:"' build/man/touchstone-run.1
+
 calls=$(sed -n 's/^NX_[A-Z]*(\([a-z_0-9]*\).*/\1/p; s/^REDUCTION(\([a-z]*\).*/\1/p' "$tests"/../../nx_api/{contract/calls,common/reductions}.def |
     grep -v '^nx_gopen_one$') # gopen's own
 missing() { for call in $calls gcol gcolx gopf gsync nxperror gopen; do grep -qw -- "$call" build/man/nx.3 || echo "$call"; done; }

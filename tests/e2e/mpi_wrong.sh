@@ -66,3 +66,10 @@ check "0 is none" ended_with 0
 echo 'int main(void) { return 3; }' >returns_nx.c
 "$BUILD/nxcc" -o returns_nx returns_nx.c && run -q -n 1 returns_nx
 check "main of an NX program tells of no error" ended_with 0
+
+# A rank that ends early: who is behind it in a collective is not told to look at the order of collectives.
+sed 's/return rank == 1.*/return 0;/; s/MPI_Finalize/if (rank == 1) exit(1);\n    MPI_Barrier(MPI_COMM_WORLD);\n    &/; s/mpi.h>/&\n#include <stdlib.h>/' returns.c >leaves.c
+check "a program one rank of which leaves compiles" bin/mpicc -g -o leaves leaves.c
+run -q -n 4 leaves
+check "a rank that left is the cause" said '^    Look at node 1 first: its program ended with exit\(1\)'
+check "and nothing else is" [ "$(grep -c 'behind others:' err):$(grep -c 'All ranks of a communicator' err)" = 1:0 ]

@@ -103,3 +103,25 @@ check "where it was used" said 'in put.*\(kept\.c:8\)'
 keeps
 run -m ipsc860 -n 2 kept
 check "without --long32: an address kept in an int?" said 'address kept in an int\? 0x[0-9a-f]{9,} is in the memory of node .* nxcc --long32'
+
+# A call of NX without a prototype: too few arguments are a warning, since a machine ran the program all the same.
+cat >few.c <<'E'
+main()
+{
+    double x[2], work[2];
+    csend(5, x, 16, 0);
+    crecv(5, x, 16, 0, 0);
+    gdsum(x, 2);
+    gsync(0);
+    flushmsg(1);
+}
+E
+cat >few_part.c <<'E'
+flushmsg(a) { return a; }
+E
+few() { "$BUILD/nxcc" -w -o few few.c few_part.c 2>&1; }
+check "too few arguments: named with file and line, unless the function is the program's" diff <(few) - <<'E'
+nxcc: warning: csend takes 5 arguments, here are 4: few.c:4
+nxcc: warning: gdsum takes 3 arguments, here are 2: few.c:6
+E
+check "too few arguments: the program is there" test -x few

@@ -113,6 +113,9 @@ cp run.json kept.json
 page run.json run.trace
 check "a page is not written over results" said '^touchstone page: run.json is there, and is no page'
 check "which stay" cmp run.json kept.json
+mkdir folder
+page folder run.json
+check "nor where a folder is" said '^touchstone page: folder is a folder: the first argument is the page'
 page part.html run.json
 check "it is written over another page" ended_with 0
 page

@@ -220,11 +220,11 @@ static void time_that_moved_is_told_by_function_first(void **state)
     char *text = printed(p);
     assert_string_equal(text, "WORSE   s: nodes 2\n"
                               "  worse   total_s              1 -> 1.5 (+50.00 %, +0.5)\n"
-                              "  where the time of all nodes of a class moved:\n"
-                              "    others    memcpy called by pack (a.c) +2.000000 s (+100.0 %)\n"
-                              "    others    mix (a.c) +0.500000 s (+50.0 %)\n"
-                              "    others    idle: crecv +8.000000 s (+800.0 %)\n"
-                              "    others    in all: functions +2.500000 s, idle +8.000000 s\n");
+                              "  where the time of all nodes moved:\n"
+                              "    nodes     memcpy called by pack (a.c) +2.000000 s (+100.0 %)\n"
+                              "    nodes     mix (a.c) +0.500000 s (+50.0 %)\n"
+                              "    nodes     idle: crecv +8.000000 s (+800.0 %)\n"
+                              "    nodes     in all: functions +2.500000 s, idle +8.000000 s\n");
     free(text);
     compare_free(p);
 }

@@ -42,7 +42,7 @@ static void says(char *error, const char *text)
 static void is_at(const char *given, const char *expected)
 {
     char path[SOCKET_PATH];
-    assert_null(socket_path(given, path));
+    assert_null(socket_path(given, true, path));
     assert_string_equal(path, expected);
 }
 
@@ -64,8 +64,8 @@ static void the_path_has_to_fit_an_address(void **state)
     (void)state;
     memset(text, 'a', sizeof text);
     text[SOCKET_PATH] = 0;
-    says(socket_path(text, path), "1 to 107 characters");
-    says(socket_path("", path), "1 to 107 characters");
+    says(socket_path(text, false, path), "1 to 107 characters");
+    says(socket_path("", false, path), "1 to 107 characters");
     text[SOCKET_PATH - 1] = 0;
     is_at(text, text);
 }
@@ -80,15 +80,17 @@ static void a_folder_in_tmp_is_the_user_s_alone(void **state)
     snprintf(expected, sizeof expected, "%s/srm", folder);
     if (lstat(folder, &st) == 0)
         skip();
+    assert_null(socket_path(NULL, false, path)); /* a client leaves no folder */
+    assert_int_equal(lstat(folder, &st), -1);
     is_at(NULL, expected);
     assert_int_equal(lstat(folder, &st), 0);
     assert_int_equal(st.st_mode & 0777, 0700);
     is_at(NULL, expected);
     chmod(folder, 0710);
-    says(socket_path(NULL, path), "is not a folder of yours that is closed to others");
+    says(socket_path(NULL, true, path), "is not a folder of yours that is closed to others");
     rmdir(folder);
     assert_int_equal(symlink(".", folder), 0);
-    says(socket_path(NULL, path), "is not a folder of yours that is closed to others");
+    says(socket_path(NULL, false, path), "is not a folder of yours that is closed to others");
     unlink(folder);
 }
 

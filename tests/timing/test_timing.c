@@ -249,8 +249,8 @@ static void errors_name_file_and_line(void **state)
     static const struct {
         const char *text, *error; /* the error's end, behind the path */
     } WRONG[] = {
-        {"", ":1: this is no schedule: its first line is 'touchstone-schedule 1'"},
-        {"nodes 2\n", ":1: this is no schedule: its first line is 'touchstone-schedule 1'"},
+        {"", ":1: this is no schedule: one begins with the line 'touchstone-schedule 1'"},
+        {"nodes 2\n", ":1: this is no schedule: one begins with the line 'touchstone-schedule 1'"},
         {"touchstone-schedule 2\n", ":1: this touchstone reads schedules of format 1, not 2"},
         {"touchstone-schedule 1\n", ":2: there is no line 'nodes COUNT'"},
         {"touchstone-schedule 1\nspeed 0 1\n", ":2: speed: a line 'nodes COUNT' must come before"},

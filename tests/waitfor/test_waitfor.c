@@ -399,6 +399,20 @@ static void a_node_has_ended_before_an_operation(void **state)
     waitfor_free(w);
 }
 
+static void the_host_waits_before_it_has_loaded_a_program(void **state)
+{
+    (void)state;
+    struct waitfor *w = waitfor_new(3);
+    w->nodes[2].is_host = true, w->nodes[2].name = "host";
+    receives(w, 2, 7, WAITFOR_ANY);
+    w->nodes[0].state = w->nodes[1].state = WAITFOR_NO_PROGRAM;
+    expect_text(w, "  host: crecv(7) since 0 s\n"
+                   "    node has ended: It waits for type 7 from any node, and no node has a program.\n"
+                   "    A host program loads the nodes (load) before it waits for them. Is this the host "
+                   "program? touchstone run --host HOST PROGRAM\n"
+                   "  nodes 0, 1: no program");
+}
+
 static void the_host_waits_for_ends(void **state)
 {
     (void)state;
@@ -702,6 +716,7 @@ int main(void)
         cmocka_unit_test(no_room_at_the_receiver),
         cmocka_unit_test(a_probe_of_a_message_without_room),
         cmocka_unit_test(a_node_has_ended_before_an_operation),
+        cmocka_unit_test(the_host_waits_before_it_has_loaded_a_program),
         cmocka_unit_test(the_host_waits_for_ends),
         cmocka_unit_test(many_types_are_one_line),
         cmocka_unit_test(more_states_than_are_told),

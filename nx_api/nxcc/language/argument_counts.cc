@@ -1,11 +1,14 @@
-/* argument_counts.cc - records calls of NX and MPI in Fortran that have too few or too many arguments, of
- * which Fortran itself takes no notice: in section .nxc_calls, which is not loaded, for nxcc to report when
- * it links (driver/fortran_calls.c). A record is a line, one of
+/* argument_counts.cc - records calls of NX and MPI that have a wrong number of arguments, of which the
+ * language takes no notice: in Fortran, and in C without a prototype, where too many do no harm. They are in
+ * section .nxc_calls, which is not loaded, for nxcc to report when it links (driver/call_counts.c). A record
+ * is a line, one of
  *
- *     c NAME TAKES GIVES FILE:LINE      a call
- *     d NAME                            the file defines a routine by this name: the program's own
+ *     f NAME TAKES GIVES FILE:LINE      a call in Fortran
+ *     c NAME TAKES GIVES FILE:LINE      a call in C
+ *     df NAME, dc NAME                  the file defines a function by this name, in C with another number of
+ *                                       arguments: the program's own
  *
- * Only the link tells whether a name is NX's or MPI's: a program may have its routines in other files than
+ * Only the link tells whether a name is NX's or MPI's: a program may have its functions in other files than
  * the calls.
  */
 #include "base/gcc.h"
@@ -16,22 +19,31 @@
 
 namespace
 {
-const std::map<std::string, int> calls = {
+typedef std::map<std::string, int> counts;
+const counts fortran_calls = {
 #include "fortran_calls.inc"
+};
+const counts c_calls = {
+#include "c_calls.inc"
 };
 std::set<std::string> records;
 
-/* The number of arguments of a call of NX or MPI; -1: the function has another name. */
-int taken_by(tree function)
+std::string assembler_name(tree function)
 {
-    auto known = calls.find(IDENTIFIER_POINTER(DECL_ASSEMBLER_NAME(function)));
+    return IDENTIFIER_POINTER(DECL_ASSEMBLER_NAME(function));
+}
+
+/* The number of arguments of one of the calls; -1: the function has another name. */
+int taken_by(tree function, const counts &calls)
+{
+    auto known = calls.find(assembler_name(function));
     return known == calls.end() ? -1 : known->second;
 }
 
 /* As Fortran programs write it: GNU Fortran adds a _ . */
 std::string name_of(tree function)
 {
-    std::string name = IDENTIFIER_POINTER(DECL_ASSEMBLER_NAME(function));
+    std::string name = assembler_name(function);
     return name.substr(0, name.size() - 1);
 }
 
@@ -73,17 +85,25 @@ int given_by(gcall *call)
     return -1;
 }
 
-void note_call(gcall *call)
+void record(char language, const std::string &name, int takes, int gives, gcall *call)
 {
-    tree function = gimple_call_fndecl(call);
-    if (!function || !DECL_EXTERNAL(function))
-        return;
-    int takes = taken_by(function), gives = given_by(call);
-    if (takes < 0 || gives < 0 || can_be_given(call, takes))
-        return;
     expanded_location at = expand_location(gimple_location(call));
-    records.insert("c " + name_of(function) + " " + std::to_string(takes) + " " + std::to_string(gives) +
-                   " " + at.file + ":" + std::to_string(at.line));
+    records.insert(std::string(1, language) + " " + name + " " + std::to_string(takes) + " " +
+                   std::to_string(gives) + " " + at.file + ":" + std::to_string(at.line));
+}
+
+void note_fortran(tree function, gcall *call)
+{
+    int takes = taken_by(function, fortran_calls), gives = given_by(call);
+    if (takes >= 0 && gives >= 0 && !can_be_given(call, takes))
+        record('f', name_of(function), takes, gives, call);
+}
+
+void note_c(tree function, gcall *call)
+{
+    int takes = taken_by(function, c_calls), gives = gimple_call_num_args(call);
+    if (gives < takes && !prototype_p(TREE_TYPE(function)))
+        record('c', assembler_name(function), takes, gives, call);
 }
 
 void scan_functions(void *, void *)
@@ -91,12 +111,18 @@ void scan_functions(void *, void *)
     bool fortran = !strncmp(lang_hooks.name, "GNU Fortran", 11);
     records_visit(
         [](tree function) {
-            if (TREE_PUBLIC(function) && !DECL_WEAK(function) && taken_by(function) >= 0)
-                records.insert("d " + name_of(function));
+            if (!TREE_PUBLIC(function) || DECL_WEAK(function))
+                return;
+            if (taken_by(function, fortran_calls) >= 0)
+                records.insert("df " + name_of(function));
+            int takes = taken_by(function, c_calls); /* as NX's own has, which node code defines, too */
+            if (takes >= 0 && list_length(DECL_ARGUMENTS(function)) != takes)
+                records.insert("dc " + assembler_name(function));
         },
         [fortran](gcall *call) {
-            if (fortran)
-                note_call(call);
+            tree function = gimple_call_fndecl(call);
+            if (function && DECL_EXTERNAL(function))
+                (fortran ? note_fortran : note_c)(function, call);
         });
 }
 

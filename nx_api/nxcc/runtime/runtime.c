@@ -202,7 +202,7 @@ __asm__(".text\n"
         "    hlt\n"
         ".size _start, .-_start\n"
         ".section .rodata\n"
-        "1:  .ascii \"this is a node program: run it with  touchstone run PROGRAM\\n\"\n"
+        "1:  .ascii \"for simulated nodes: touchstone run starts this program, no shell or mpirun\\n\"\n"
         "2:\n"
         ".text\n");
 #endif

@@ -31,6 +31,35 @@ static bool run_gnuplot(const char *script, char **error)
     return drawn;
 }
 
+/* Does the file end so? */
+static bool ends_with(const char *path, const char *end, size_t length)
+{
+    char last[16];
+    FILE *f = fopen(path, "re");
+    bool ends = f && fseek(f, -(long)length, SEEK_END) == 0 && fread(last, 1, length, f) == length &&
+                memcmp(last, end, length) == 0;
+    if (f)
+        fclose(f);
+    return ends;
+}
+
+/* gnuplot reports no failure when the disk is full: a picture that lacks its end is taken away. */
+static bool is_whole(const char *dir, const char *file, char **error)
+{
+    static const char PNG_END[] = "IEND\xae\x42\x60\x82", SVG_END[] = "</svg>\n\n";
+    char *png = xasprintf("%s/%s.png", dir, file), *svg = xasprintf("%s/%s.svg", dir, file);
+    bool png_ends = ends_with(png, PNG_END, sizeof PNG_END - 1),
+         whole = png_ends && ends_with(svg, SVG_END, sizeof SVG_END - 1);
+    if (!whole) {
+        *error = xasprintf("%s cannot be written whole: is the disk full?", png_ends ? svg : png);
+        remove(png);
+        remove(svg);
+    }
+    free(png);
+    free(svg);
+    return whole;
+}
+
 bool chart_can_draw(char **error)
 {
     char *const argv[] = {"gnuplot", "--version", NULL};
@@ -59,7 +88,7 @@ bool chart_draw(const struct record_points *points, const struct picture *p, con
         ok = write_script(points, p, dir, script, error);
     if (script)
         fclose(script);
-    ok = ok && run_gnuplot(path, error);
+    ok = ok && run_gnuplot(path, error) && is_whole(dir, p->file, error);
     scratch_remove(&scratch);
     free(path);
     return ok;

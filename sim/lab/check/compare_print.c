@@ -60,17 +60,23 @@ static void print_figures(const struct compare_point *p, FILE *out)
 
 /* --- where the time moved ------------------------------------------------------------------------------- */
 
-/* The class's name in a profile's table. */
-static const char *class_word(const char *class)
+/* Has the point one class of nodes only, as it has where no node has handlers? */
+static bool is_one_class(const struct compare_point *p)
 {
-    return strcmp(class, "with_handlers") == 0 ? "handlers" : class;
+    return json_object_size(json_object_get(p->after, "where")) == 1;
 }
 
-static void print_move(const struct compare_move *m, FILE *out)
+/* The class's name in a profile's table; as in a run's summary, it is none if there is no other. */
+static const char *class_word(const struct compare_point *p, const char *class)
+{
+    return is_one_class(p) ? "nodes" : strcmp(class, "with_handlers") == 0 ? "handlers" : class;
+}
+
+static void print_move(const struct compare_point *p, const struct compare_move *m, FILE *out)
 {
     static const char *const kinds[] = {"", "system: ", "idle: ", ""};
     double change = m->after_s - m->before_s;
-    fprintf(out, "    %-9s %s%s %+.6f s", class_word(m->class), kinds[m->kind], m->name, change);
+    fprintf(out, "    %-9s %s%s %+.6f s", class_word(p, m->class), kinds[m->kind], m->name, change);
     if (m->before_s != 0)
         fprintf(out, " (%+.1f %%)", 100 * change / fabs(m->before_s));
     else
@@ -89,7 +95,7 @@ static void print_kind(const struct compare_point *p, size_t from, size_t to, FI
     double rest = 0, least = LEAST_MOVE * fabs(change_of(&p->moves[from]));
     size_t shown = from;
     while (shown < to && shown - from < MOST_MOVES && fabs(change_of(&p->moves[shown])) >= least)
-        print_move(&p->moves[shown++], out);
+        print_move(p, &p->moves[shown++], out);
     for (size_t i = shown; i < to; i++)
         rest += change_of(&p->moves[i]);
     if (shown < to)
@@ -105,7 +111,7 @@ static void print_class(const struct compare_point *p, const char *class, FILE *
     for (size_t i = 0; i < p->move_count; i++)
         if (strcmp(p->moves[i].class, class) == 0)
             sum[p->moves[i].kind] += change_of(&p->moves[i]);
-    fprintf(out, "    %-9s in all: ", class_word(class));
+    fprintf(out, "    %-9s in all: ", class_word(p, class));
     for (int kind = 0; kind < COMPARE_KINDS; kind++)
         if (sum[kind] != 0) {
             fprintf(out, "%s%s %+.6f s", mark, kinds[kind], sum[kind]);
@@ -122,7 +128,7 @@ static void print_moves(const struct compare_point *p, FILE *out)
     size_t from = 0;
     if (!p->move_count)
         return;
-    fputs("  where the time of all nodes of a class moved:\n", out);
+    fprintf(out, "  where the time of all nodes%s moved:\n", is_one_class(p) ? "" : " of a class");
     for (size_t to = 1; to <= p->move_count; to++)
         if (to == p->move_count || p->moves[to].kind != p->moves[from].kind) {
             print_kind(p, from, to, out);

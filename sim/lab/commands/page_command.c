@@ -29,7 +29,8 @@ static const char DOC[] =
     "Writes OUT.html, one HTML file that shows the inputs in any browser: it holds all its data and scripts "
     "and fetches nothing, so it can be mailed or archived. OUT.html may be - for standard output.\v"
     "An input is recognised by what it holds:\n"
-    "  run.json           touchstone run --json: where nodes' time went; a deadlock\n"
+    "  run.json           touchstone run --json: where each node's time went, and a\n"
+    "                     deadlock\n"
     "  run.trace          touchstone run --trace: timeline, messages, channels\n"
     "  why-not.json       touchstone run --deadlock: who waits for whom\n"
     "  profile.json       touchstone run --profile: time by function\n"
@@ -64,14 +65,19 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     return 0;
 }
 
-/* May the page be written there? A file that is no page is most likely an input, and OUT.html was
- * forgotten. */
+/* May the page be written there? A folder, or a file that is no page, is most likely an input, and OUT.html
+ * was forgotten or comes later. */
 static bool is_free(const char *path, char **error)
 {
     static const char DOCTYPE[] = "<!doctype html>";
     char head[sizeof DOCTYPE] = "";
     struct stat st;
-    if (stat(path, &st) != 0 || !S_ISREG(st.st_mode) || st.st_size == 0)
+    bool there = stat(path, &st) == 0;
+    if (there && S_ISDIR(st.st_mode)) {
+        *error = xasprintf("%s is a folder: the first argument is the page to be written", path);
+        return false;
+    }
+    if (!there || !S_ISREG(st.st_mode) || st.st_size == 0)
         return true;
     FILE *in = fopen(path, "re");
     size_t size = in ? fread(head, 1, sizeof DOCTYPE - 1, in) : 0;

@@ -128,7 +128,8 @@ int cli_profile(int argc, char **argv)
         "  touchstone profile -o relax.svg relax.json\n"
         "  touchstone profile --lines relax.json\n"
         "  touchstone profile --diff before.json -o changed.svg relax.json\n"
-        "  touchstone profile -f folded relax.json | flamegraph.pl --countname ps >relax.svg",
+        "  touchstone profile -f folded relax.json |\n"
+        "      flamegraph.pl --countname ps >relax.svg",
         NULL,
         NULL,
         NULL};

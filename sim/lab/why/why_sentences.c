@@ -357,7 +357,6 @@ static vtime time_of_others(const struct why *w, int32_t but, vtime *idle)
 
 static void waiting(struct why *w, FILE *f)
 {
-    struct why_unit u = why_unit_for(w->length);
     vtime part, for_one, idle;
     int32_t node, partner = awaited(w, &for_one);
     if (w->some_nodes)
@@ -370,10 +369,10 @@ static void waiting(struct why *w, FILE *f)
     }
     if (one)
         fprintf(f, "The other nodes waited for %s of their time, %s in all.", why_percent(idle, all).text,
-                why_time(u, idle).text);
+                why_time(why_unit_for(idle), idle).text);
     else
         fprintf(f, "The nodes waited for %s of their time, %s in all.", why_percent(idle, all).text,
-                why_time(u, idle).text);
+                why_time(why_unit_for(idle), idle).text);
     bool mainly = for_one > w->causes.idle / 2 && w->t->node_count > 2;
     if (mainly)
         fprintf(f, " Of all waiting, %s was for %s: ", why_percent(for_one, w->causes.idle).text,

@@ -21,7 +21,8 @@ struct why_text why_number(struct why_unit u, vtime t)
 struct why_text why_time(struct why_unit u, vtime t)
 {
     struct why_text x;
-    snprintf(x.text, sizeof x.text, "%.3f %s", (double)t / (double)u.ps, u.name);
+    double value = (double)t / (double)u.ps;
+    snprintf(x.text, sizeof x.text, "%.*f %s", value < 1000 ? 3 : 1, value, u.name);
     return x;
 }
 

@@ -16,7 +16,7 @@ struct why_unit why_unit_for(vtime length);
 struct why_text {
     char text[40];
 };
-/* "107.224 s" and "107.224": three digits behind the point. */
+/* "107.224 s" and "107.224": three digits behind the point; of a time of 1000 or more, "12494.7 s", one. */
 struct why_text why_time(struct why_unit u, vtime t);
 struct why_text why_number(struct why_unit u, vtime t);
 /* The part of the whole, in percent: "99.9 %", "less than 0.1 %". */

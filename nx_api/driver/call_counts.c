@@ -1,6 +1,6 @@
-/* fortran_calls.c - see fortran_calls.h. The records are those of nxcc/language/argument_counts.cc,
+/* call_counts.c - see call_counts.h. The records are those of nxcc/language/argument_counts.cc,
  * in section .nxc_calls. */
-#include "nx_api/driver/fortran_calls.h"
+#include "nx_api/driver/call_counts.h"
 #include <errno.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -10,10 +10,10 @@
 #include "nx_api/driver/elf_file.h"
 #include "nx_api/driver/text.h"
 
-/* Has the program a routine of its own by that name? */
-static bool is_own(const char *records, const char *name)
+/* Has the program a function of its own by that name? */
+static bool is_own(const char *records, char language, const char *name)
 {
-    char *definition = text("d %s\n", name);
+    char *definition = text("d%c %s\n", language, name);
     const char *at = strstr(records, definition);
     while (at && at > records && at[-1] != '\n')
         at = strstr(at + 1, definition);
@@ -23,7 +23,7 @@ static bool is_own(const char *records, const char *name)
 
 /* A call that is wrong. */
 struct call {
-    char name[64];
+    char language, name[64]; /* 'f', 'c' */
     int takes, gives, file_length, line;
     const char *place; /* "few.f:4\n", in the records */
 };
@@ -32,8 +32,8 @@ struct call {
 static bool is_wrong(const char *records, const char *record, struct call *c)
 {
     int place = 0;
-    if (sscanf(record, "c %63s %d %d %n", c->name, &c->takes, &c->gives, &place) < 3 || !place ||
-        is_own(records, c->name))
+    if (sscanf(record, "%c %63s %d %d %n", &c->language, c->name, &c->takes, &c->gives, &place) < 4 ||
+        !place || is_own(records, c->language, c->name))
         return false;
     c->place = record + place;
     c->file_length = (int)strcspn(c->place, ":\n");
@@ -52,14 +52,14 @@ static int compare(const void *left, const void *right)
 
 static void report(const struct call *c)
 {
-    fprintf(stderr, "%s: %s takes %d argument%s, here %s %d: %.*s\n", program_invocation_short_name, c->name,
-            c->takes, c->takes == 1 ? "" : "s", c->gives == 1 ? "is" : "are", c->gives,
-            (int)strcspn(c->place, "\n"), c->place);
+    fprintf(stderr, "%s: %s%s takes %d argument%s, here %s %d: %.*s\n", program_invocation_short_name,
+            c->language == 'c' ? "warning: " : "", c->name, c->takes, c->takes == 1 ? "" : "s",
+            c->gives == 1 ? "is" : "are", c->gives, (int)strcspn(c->place, "\n"), c->place);
 }
 
-void fortran_calls_check(const char *program)
+void call_counts_check(const char *program)
 {
-    size_t size, wrong = 0;
+    size_t size, wrong = 0, errors = 0;
     struct elf_file f = elf_read(program);
     const char *section = elf_section(&f, ".nxc_calls", &size);
     char *records = section ? text("%.*s", (int)size, section) : NULL;
@@ -73,12 +73,14 @@ void fortran_calls_check(const char *program)
         }
     if (wrong)
         qsort(calls, wrong, sizeof *calls, compare);
-    for (size_t i = 0; i < wrong; i++)
+    for (size_t i = 0; i < wrong; i++) {
         report(&calls[i]);
+        errors += calls[i].language == 'f';
+    }
     free(calls);
     free(records);
     elf_forget(&f);
-    if (!wrong)
+    if (!errors)
         return;
     unlink(program);
     exit(1);

@@ -1,0 +1,10 @@
+/* call_counts.h - the check of whether calls of NX and MPI have as many arguments as theirs. */
+#ifndef DRIVER_CALL_COUNTS_H
+#define DRIVER_CALL_COUNTS_H
+
+/* Looks at a program that has just been linked. A call in C, without a prototype, that has too few arguments
+ * is a warning: programs of the time left out a pid that no node looks at. A call in Fortran with too few or
+ * too many is an error: removes the program and exits with status 1. */
+void call_counts_check(const char *program);
+
+#endif
