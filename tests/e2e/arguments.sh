@@ -3,6 +3,11 @@
 . "$(dirname "$0")/common.bash"
 compile ring
 
+./ring >out 2>err
+status=$?
+check "a shell cannot start it: status" ended_with 126
+check "a shell cannot start it: message" said 'for simulated nodes: run it with touchstone run PROGRAM'
+
 "$BUILD/touchstone" --help >out 2>err
 check "--help lists the commands" grep -q '^  tables  ' out
 "$BUILD/touchstone" --version >out 2>err

@@ -202,7 +202,8 @@ __asm__(".text\n"
         "    hlt\n"
         ".size _start, .-_start\n"
         ".section .rodata\n"
-        "1:  .ascii \"for simulated nodes: touchstone run starts this program, no shell or mpirun\\n\"\n"
+        "1:  .ascii \"a program for simulated nodes: run it with touchstone run PROGRAM,\"\n"
+        "    .ascii \" not from a shell or by mpirun\\n\"\n"
         "2:\n"
         ".text\n");
 #endif
