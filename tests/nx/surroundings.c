@@ -5,6 +5,7 @@
  * run: -m delta -n 2
  * run: -m paragon -n 2
  */
+#include <dlfcn.h>
 #include <errno.h>
 #include <malloc.h>
 #include <signal.h>
@@ -123,5 +124,6 @@ int main(void)
     rule("System V's signals", system_v());
     rule("mallinfo", heap_info());
     rule("getentropy", entropy());
+    rule("libraries", !dlopen("libm.so.6", RTLD_LAZY) && dlerror() && !dlerror() && !dlsym(NULL, "cos"));
     return 0;
 }
