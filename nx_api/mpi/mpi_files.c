@@ -279,6 +279,7 @@ int node_close(int fd) NX_EXPORT("close");
 int node_dup(int fd) NX_EXPORT("dup");
 int node_dup2(int fd, int to) NX_EXPORT("dup2");
 off_t node_lseek(int fd, off_t offset, int whence) NX_EXPORT("lseek");
+off_t node_lseek64(int fd, off_t offset, int whence) NX_EXPORT("lseek64") __attribute__((alias("lseek")));
 
 static bool is_shared(int fd)
 {

@@ -1,5 +1,6 @@
 /* mpi_paths.c - see mpi_paths.h; and libnx.a's forms of the C library's calls that take names of files. */
 #include "nx_api/mpi/mpi_paths.h"
+#include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdarg.h>
@@ -7,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 #include "nx_api/mpi/mpi_files.h"
 #include "backend_node.h"
@@ -49,14 +51,22 @@ void path_make_folders(const char *here)
     }
 }
 
-/* --- the C library's calls, for names under /cfs, too. Each reaches the system by another function than its
- * own. --- */
+/* --- the C library's calls, for names under /cfs, too, also by the names that headers give them with
+ * -D_FILE_OFFSET_BITS=64. Each reaches the system by another function than its own. --- */
 
 int node_open(const char *path, int flags, ...) NX_EXPORT("open");
+int node_open64(const char *path, int flags, ...) NX_EXPORT("open64") __attribute__((alias("open")));
 int node_creat(const char *path, mode_t mode) NX_EXPORT("creat");
+int node_creat64(const char *path, mode_t mode) NX_EXPORT("creat64") __attribute__((alias("creat")));
 FILE *node_fopen(const char *path, const char *mode) NX_EXPORT("fopen");
+FILE *node_fopen64(const char *path, const char *mode) NX_EXPORT("fopen64") __attribute__((alias("fopen")));
 FILE *node_freopen(const char *path, const char *mode, FILE *f) NX_EXPORT("freopen");
+FILE *node_freopen64(const char *path, const char *mode, FILE *f) NX_EXPORT("freopen64")
+    __attribute__((alias("freopen")));
+int node_truncate(const char *path, off_t bytes) NX_EXPORT("truncate");
+int node_truncate64(const char *path, off_t bytes) NX_EXPORT("truncate64") __attribute__((alias("truncate")));
 int node_stat(const char *path, struct stat *st) NX_EXPORT("stat");
+int node_stat64(const char *path, struct stat *st) NX_EXPORT("stat64") __attribute__((alias("stat")));
 int node_access(const char *path, int how) NX_EXPORT("access");
 int node_unlink(const char *path) NX_EXPORT("unlink");
 int node_remove(const char *path) NX_EXPORT("remove");
@@ -103,14 +113,25 @@ FILE *node_fopen(const char *path, const char *mode)
 {
     char space[PATH_MAX];
     const char *here = for_stream(path, mode, space);
-    return here ? fopen64(here, mode) : NULL;
+    FILE *(*libc_fopen)(const char *, const char *);
+    *(void **)&libc_fopen = dlsym(RTLD_NEXT, "fopen");
+    return here ? libc_fopen(here, mode) : NULL;
 }
 
 FILE *node_freopen(const char *path, const char *mode, FILE *f)
 {
     char space[PATH_MAX];
     const char *here = path ? for_stream(path, mode, space) : NULL;
-    return here || !path ? freopen64(here, mode, f) : NULL;
+    FILE *(*libc_freopen)(const char *, const char *, FILE *);
+    *(void **)&libc_freopen = dlsym(RTLD_NEXT, "freopen");
+    return here || !path ? libc_freopen(here, mode, f) : NULL;
+}
+
+int node_truncate(const char *path, off_t bytes)
+{
+    char space[PATH_MAX];
+    const char *here = path_here(path, space);
+    return here ? (int)syscall(SYS_truncate, here, bytes) : -1;
 }
 
 int node_stat(const char *path, struct stat *st)
