@@ -732,6 +732,23 @@ static void areas_are_shares_of_time(void **state)
     drop(&t);
 }
 
+/* A text that is cut off touches the picture's left or right edge. */
+static bool edges_are_white(const char *path)
+{
+    cairo_surface_t *png = cairo_image_surface_create_from_png(path);
+    assert_int_equal(cairo_surface_status(png), CAIRO_STATUS_SUCCESS);
+    int width = cairo_image_surface_get_width(png), height = cairo_image_surface_get_height(png);
+    const unsigned char *data = cairo_image_surface_get_data(png);
+    bool white = true;
+    for (int y = 0; y < height; y++) {
+        const uint32_t *row = (const void *)(data + (size_t)y * (size_t)cairo_image_surface_get_stride(png));
+        white &= (row[0] & 0xffffff) == 0xffffff && (row[width - 1] & 0xffffff) == 0xffffff;
+    }
+    cairo_surface_destroy(png);
+    return white;
+}
+
+/* The words below the channels of one node were cut off. */
 static void every_display_draws_a_trace_of_nothing(void **state)
 {
     (void)state;
@@ -743,6 +760,7 @@ static void every_display_draws_a_trace_of_nothing(void **state)
         for (int kind = PICTURE_PNG; !d->film && kind <= PICTURE_SVG; kind++) {
             struct drawing drawing = {d, &s};
             assert_true(picture_write(path, (enum picture_kind)kind, d->height(&s), draw, &drawing, &error));
+            assert_true(kind != PICTURE_PNG || edges_are_white(path));
         }
     unlink(path);
     node_rows_free(&s.rows);
