@@ -125,7 +125,8 @@ class Run:
         self.nodes = _table([{"node": i, **_flat(node)} for i, node in enumerate(figures["node"])])
 
     def __repr__(self):
-        text = f"{self.figures['program']} on {self.figures['nodes']} nodes of {self.figures['machine']}: {self.time_s:.6g} s"
+        nodes = f"{self.figures['nodes']} node{'s' if self.figures['nodes'] != 1 else ''}"
+        text = f"{self.figures['program']} on {nodes} of {self.figures['machine']}: {self.time_s:.6g} s"
         return text if self.outcome == "ended" else f"{text}, {self.outcome}"
 
     def _repr_html_(self):

@@ -20,6 +20,7 @@ time_of() { jq .virtual_time_s run.json; }
 says "a run: its time" True "t.run('ring', machine='ipsc860', nodes=4).time_s == $(time_of)"
 says "a row a node" "[0, 1, 2, 3] True" "(lambda r: f\"{r.column('node')} {sum(r.column('messages_sent')) == $(jq .messages run.json)}\")(t.run('ring', machine='ipsc860', nodes=4).nodes)"
 says "a run at the prompt" True "repr(t.run('ring', machine='ipsc860', nodes=4)).startswith('ring on 4 nodes of ipsc860: 0.')"
+says "one node is no nodes" True "repr(t.run('ring', machine='ipsc860', nodes=1)).startswith('ring on 1 node of ipsc860: ')"
 "$BUILD/nxcc" -O2 -g -o circle "$tests/../../share/examples/exercises/circle.c"
 says "a deadlock: at the prompt" True "repr(t.run('circle', machine='ipsc860', nodes=4)).endswith(' s, deadlock')"
 says "a deadlock: a notebook has its report" True "'<pre>touchstone run: deadlock: every program waits' in t.run('circle', machine='ipsc860', nodes=4)._repr_html_()"

@@ -104,10 +104,20 @@ check "served: the file is waited for" prints 'disk +in cwrite at served.c:42 \(
 traced -m ipsc860 -n 2 served
 why --than t.trace many.trace
 check "--than: what grew" prints 'The run of t.trace, on 2 nodes, took [0-9.]+ m?s. This one took [0-9.]+ m?s more. On the critical path, handlers grew most'
+check "--than: its columns are aligned" test "$(sed -n '/^Critical path, .* this run/,/^$/p' out | awk 'NF { print length }' | sort -u | wc -l)" = 1
+check "waits' causes: the longest first" \
+    eval "sed -n '/^Waits of all nodes, by cause/,/all idle time/p' out | sed '1d; \$d' | awk '{ print \$(NF - 1) }' | sort -nrc"
 why --nodes 5 many.trace
 check "--nodes: waits of one node" prints 'Waits of some nodes.* 1  handler busy'
 why --from 20ms --to 30ms many.trace
 check "--from, --to: a part" prints 'Only the part from 0.020 s to 0.030 s counts here'
+
+# One node that makes no call.
+echo 'int main(void) { volatile int x = 0; while (x < 1000) x += 1; return 0; }' >alone.c
+"$BUILD/nxcc" -O2 -o alone alone.c && traced -m delta -n 1 alone
+why t.trace
+check "alone: one step, and nothing is very many times faster but its table's row" \
+    eval 'grep -q "^Critical path, 1 step  " out && [ "$(grep -c "very many" out)" = 1 ]'
 
 # The function that worked, which made no call itself, not that of the next call.
 "$BUILD/nxcc" -O2 -g -o steps "$tests/steps.c" && traced -m delta -n 4 steps

@@ -56,7 +56,7 @@ static char *page_of_results(const char *results, const char *figure, const char
                               .ratio = "",
                               .lines_label = "",
                               .panels_label = ""};
-    assert_true(findings_write(&points, &picture, 1, dir, &error));
+    assert_true(findings_write(&points, &picture, *figure ? 1 : 0, dir, &error));
     record_free(&points);
     unlink(path);
     snprintf(path, sizeof path, "%s/findings.md", dir);
@@ -174,6 +174,10 @@ static void one_point_is_no_points(void **state)
         "  { \"nodes\": 4, \"failure\": null, \"time_s\": 8.0 } ] }\n";
     char *text = page_of_results(one, "time_s", "nodes", "", "");
     says(text, "p at 1 point: 1 value of nodes.\n");
+    free(text);
+    text = page_of_results(one, "", "nodes", "", ""); /* as a study has it: no picture */
+    says(text,
+         "1 value of nodes.\n\nNo axis has several numbers, so there are no pictures. Each point's figures");
     free(text);
 }
 

@@ -667,6 +667,28 @@ static void space_time_opens_where_messages_are_dense(void **state)
     drop(&t);
 }
 
+/* All sent at one moment: the picture had two picoseconds around that, and no line left the sender's. */
+static void space_time_has_arrivals_of_messages_sent_at_once(void **state)
+{
+    (void)state;
+    struct trace t = made_trace(9, VT_SECOND);
+    vtime sent = VT_SECOND / 2, later = sent + VT_MILLISECOND;
+    for (int i = 0; i < 450; i++) {
+        int32_t send = made_call(&t, 0, "csend", TRACE_SENDS, 1, sent, sent + 10);
+        int32_t receive = made_call(&t, 1 + i % 8, "crecv", TRACE_RECEIVES, 1, later, later + 10);
+        made_message(&t, send, receive, 1, 1, sent, sent, sent + 100, sent + VT_MICROSECOND);
+    }
+    struct show s = {.trace = &t, .rows = node_rows_make(&t), .densest = true};
+    struct drawing d = {display_find("space-time"), &s};
+    char path[] = "/tmp/test_show.XXXXXX", *error = NULL;
+    close(mkstemp(path));
+    assert_true(picture_write(path, PICTURE_PNG, d.display->height(&s), draw, &d, &error));
+    assert_true(pixels_of(path, COLOUR(0xd97706)) > 0.75 * (CANVAS_WIDTH - LEFT - 24) * CANVAS_PIXELS);
+    unlink(path);
+    node_rows_free(&s.rows);
+    drop(&t);
+}
+
 static void a_long_message_crosses_a_short_interval(void **state)
 {
     (void)state;
@@ -710,6 +732,23 @@ static void areas_are_shares_of_time(void **state)
     drop(&t);
 }
 
+/* A text that is cut off touches the picture's left or right edge. */
+static bool edges_are_white(const char *path)
+{
+    cairo_surface_t *png = cairo_image_surface_create_from_png(path);
+    assert_int_equal(cairo_surface_status(png), CAIRO_STATUS_SUCCESS);
+    int width = cairo_image_surface_get_width(png), height = cairo_image_surface_get_height(png);
+    const unsigned char *data = cairo_image_surface_get_data(png);
+    bool white = true;
+    for (int y = 0; y < height; y++) {
+        const uint32_t *row = (const void *)(data + (size_t)y * (size_t)cairo_image_surface_get_stride(png));
+        white &= (row[0] & 0xffffff) == 0xffffff && (row[width - 1] & 0xffffff) == 0xffffff;
+    }
+    cairo_surface_destroy(png);
+    return white;
+}
+
+/* The words below the channels of one node were cut off. */
 static void every_display_draws_a_trace_of_nothing(void **state)
 {
     (void)state;
@@ -721,6 +760,7 @@ static void every_display_draws_a_trace_of_nothing(void **state)
         for (int kind = PICTURE_PNG; !d->film && kind <= PICTURE_SVG; kind++) {
             struct drawing drawing = {d, &s};
             assert_true(picture_write(path, (enum picture_kind)kind, d->height(&s), draw, &drawing, &error));
+            assert_true(kind != PICTURE_PNG || edges_are_white(path));
         }
     unlink(path);
     node_rows_free(&s.rows);
@@ -752,6 +792,7 @@ int main(void)
         cmocka_unit_test(handlers_are_in_every_legend),
         cmocka_unit_test(scales_can_be_given),
         cmocka_unit_test(space_time_opens_where_messages_are_dense),
+        cmocka_unit_test(space_time_has_arrivals_of_messages_sent_at_once),
         cmocka_unit_test(colours_survive_grey_print),
         cmocka_unit_test(areas_are_shares_of_time),
         cmocka_unit_test(a_long_message_crosses_a_short_interval),

@@ -96,6 +96,20 @@ static void a_baseline_of_a_value(void **state)
     record_free(&r);
 }
 
+/* It was ", assumed ideal". */
+static void one_point_has_no_baseline(void **state)
+{
+    (void)state;
+    char *error = NULL;
+    json_t *root = json_loads(
+        "{ \"axes\": { \"nodes\": [4] }, \"points\": [ { \"nodes\": 4, \"time_s\": 8 } ] }", 0, NULL);
+    struct record_points r = {each, json_object_get(root, "points"), root};
+    assert_true(speedup_renew(&r, NULL, &error));
+    const char *baseline = json_string_value(json_object_get(r.header, "baseline"));
+    assert_true(!baseline || !*baseline);
+    record_free(&r);
+}
+
 /* What a program prints under these names is its own affair, unless the user asks for a baseline. */
 static void a_programs_own_figure_stays(void **state)
 {
@@ -135,8 +149,8 @@ static void mistakes_are_named(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_baseline_for_all), cmocka_unit_test(a_baseline_for_each_value),
-        cmocka_unit_test(a_baseline_of_a_value), cmocka_unit_test(a_programs_own_figure_stays),
-        cmocka_unit_test(mistakes_are_named)};
+        cmocka_unit_test(one_baseline_for_all),        cmocka_unit_test(a_baseline_for_each_value),
+        cmocka_unit_test(one_point_has_no_baseline),   cmocka_unit_test(a_baseline_of_a_value),
+        cmocka_unit_test(a_programs_own_figure_stays), cmocka_unit_test(mistakes_are_named)};
     return cmocka_run_group_tests_name("speedup", tests, NULL, NULL);
 }

@@ -85,6 +85,8 @@ def check_study(b):
             [1, 2, 5, 10, 20, 50, 100], [10 ** i for i in range(10)]], few)
     numbers = b.run("return [0.00005, 0.00015, 0.0004, 12500000, 0.5, 20].map(axisNumber)")
     rule("study: an axis's numbers are whole, short or long", numbers == ["50µ", "150µ", "400µ", "12.5M", "0.5", "20"], numbers)
+    units = b.run("return [['time, s', 0.0007], ['s', 0.09], ['time, s', 0.2], ['steps', 0.0007]].map(a => Object.values(axisUnit(...a)).join(' '))")
+    rule("study: short times have an axis in their own unit", units == ["1000000 time, µs", "1000 ms", "1 time, s", "1 steps"], units)
     named = b.run("return ['time_s', 'idle_pct', 'nodes_of_done_groups', 'memory_peak_bytes', 'speedup'].map(figureWords)")
     rule("study: figures have names for people", named == ["time, s", "idle, %", "nodes of done groups", "memory peak, bytes", "speedup"] and
          "time against nodes" in s.text, named)

@@ -370,6 +370,10 @@ bool findings_write(const struct record_points *points, const struct picture *li
     if (!begun)
         return false;
     bool ok = write_head(points, d.out, error);
+    if (!count)
+        fputs("\nNo axis has several numbers, so there are no pictures. "
+              "Each point's figures are in results.csv.\n",
+              d.out);
     for (size_t i = 0; ok && i < count; i++)
         ok = write_picture(points, &list[i], d.out, error);
     if (ok)

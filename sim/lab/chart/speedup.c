@@ -210,7 +210,7 @@ char *speedup_baseline(const struct speedup *s)
     char *text = json_object_size(s->each) == 0
                      ? name_of(s, json_object_iter_value(json_object_iter(s->bases)))
                      : names_of(s);
-    if (is_assumed(s))
+    if (*text && is_assumed(s)) /* a study of one point has no other to compare with */
         words_append(&text, ", assumed ideal");
     return text;
 }

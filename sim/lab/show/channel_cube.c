@@ -110,7 +110,8 @@ static void draw_labels(const struct canvas *c, struct plot p, const struct cube
     }
     canvas_text_upward(c, p.x - wide - 15, p.y + p.h / 2, (struct text_style){11, INK, ANCHOR_MIDDLE, false},
                        "from node");
-    canvas_text(c, p.x + p.w / 2, p.y + p.h + 22, (struct text_style){11, INK, ANCHOR_MIDDLE, false},
+    canvas_text(c, p.x, p.y + p.h + 22,
+                (struct text_style){11, INK, ANCHOR_LEFT, false}, /* wider than a small cube */
                 "dimension of the channel; the ports into and out of the network");
 }
 

@@ -50,7 +50,7 @@ static bool lacks_messages(const struct trace *t)
 static char *shape_text(const struct topo *topo)
 {
     if (topo->rows)
-        return xasprintf("mesh of %u rows of %u", topo->rows, topo->columns);
+        return xasprintf("mesh of %u row%s of %u", topo->rows, topo->rows == 1 ? "" : "s", topo->columns);
     return xasprintf("hypercube of %u dimension%s", topo->dimension, topo->dimension == 1 ? "" : "s");
 }
 

@@ -105,6 +105,13 @@ static void draw_port(const struct canvas *c, const struct mesh *m, uint32_t cha
     fill_path(c, m, channel);
 }
 
+/* The colours' scale, right of the map. */
+static struct plot scale_of(const struct mesh *m)
+{
+    return (struct plot){m->plot.x + m->plot.w + 20, m->plot.y + 22, 14,
+                         fmin(fmax(m->plot.h - 26, 120), 300)};
+}
+
 /* The first node of each row, the numbers of the columns. */
 static void draw_labels(const struct canvas *c, const struct mesh *m)
 {
@@ -127,7 +134,9 @@ static void draw_labels(const struct canvas *c, const struct mesh *m)
     }
     canvas_text_upward(c, m->plot.x - 48, m->plot.y + m->plot.h / 2,
                        (struct text_style){11, INK, ANCHOR_MIDDLE, false}, "first node of the row");
-    canvas_text(c, m->plot.x, m->plot.y + m->plot.h + 36, (struct text_style){10.5, INK, ANCHOR_LEFT, false},
+    struct plot scale = scale_of(m); /* longer than a map of one row */
+    double below_all = fmax(m->plot.y + m->plot.h + 36, scale.y + scale.h + 24);
+    canvas_text(c, m->plot.x, below_all, (struct text_style){10.5, INK, ANCHOR_LEFT, false},
                 m->apart >= DETAILED
                     ? "Arrow: a channel between neighbours. Square: a node's ports, the upper half into the "
                       "network, the lower half out of it."
@@ -151,6 +160,5 @@ void channel_mesh_draw(const struct channel_map *map, const struct canvas *c, do
             draw_link(c, &m, channel);
     }
     draw_labels(c, &m);
-    heat_bar(c, (struct plot){m.plot.x + m.plot.w + 20, y + 26, 14, fmin(fmax(m.plot.h - 26, 120), 300)},
-             &map->heat, HEAT_PERCENT, "share of time held");
+    heat_bar(c, scale_of(&m), &map->heat, HEAT_PERCENT, "share of time held");
 }

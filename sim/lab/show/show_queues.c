@@ -9,7 +9,7 @@
 #include "lab/draw/heat.h"
 #include "lab/show/message_queues.h"
 
-enum { ABOVE = 130, BETWEEN = 26, RIGHT = 120, SVG_COLUMNS = 240 };
+enum { ABOVE = 130, BETWEEN = 26, RIGHT = 120, LEAST_BAR = 60, SVG_COLUMNS = 240 };
 static const uint32_t COLOURS[QUEUE_KINDS] = {[QUEUE_WAITING] = 0xbb5566, [QUEUE_COMING] = 0x9fc1e4};
 
 static double row_height(const struct show *s)
@@ -112,8 +112,9 @@ void queues_draw(const struct show *s, const struct canvas *c)
     canvas_frame(c, below);
     axes_rows(c, below, &s->rows, s->trace, "node");
     axes_time(c, below, s->trace->from, s->trace->to);
-    heat_bar(c, (struct plot){below.x + below.w + 20, below.y + 16, 14, fmin(below.h - 16, 240)}, &h,
-             s->by_bytes ? HEAT_BYTES : HEAT_NUMBER, "waiting, in a row");
+    heat_bar(
+        c, (struct plot){below.x + below.w + 20, below.y + 16, 14, fmin(fmax(below.h - 16, LEAST_BAR), 240)},
+        &h, s->by_bytes ? HEAT_BYTES : HEAT_NUMBER, "waiting, in a row");
     struct legend_entry list[] = {
         {COLOUR(COLOURS[QUEUE_WAITING]), xstrdup("complete, and waiting until its program takes it"), false},
         {COLOUR(COLOURS[QUEUE_COMING]), xstrdup("on its way"), false}};

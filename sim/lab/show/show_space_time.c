@@ -151,10 +151,10 @@ static void draw_all_messages(const struct canvas *c, const struct space_time *d
 
 static char *notes(const struct space_time *d)
 {
-    if (d->show->densest) {
-        return xasprintf("Where messages are the densest: %zu of %s; --messages N draws the whole run",
-                         d->sample.count, number_grouped((uint64_t)d->show->trace->message_count).text);
-    }
+    if (d->show->densest)
+        return xasprintf("Where messages are the densest: %zu of %s%s; --messages N draws the whole run",
+                         d->sample.count, number_grouped((uint64_t)d->show->trace->message_count).text,
+                         d->sample.count < d->sample.of ? ", evenly chosen" : "");
     char *lines = d->apart < 4 ? xasprintf("%d lines, too close to be drawn; ", d->lines.count) : xstrdup("");
     struct number_text count = number_grouped(d->sample.count), of = number_grouped(d->sample.of);
     char *text = d->sample.count < d->sample.of
@@ -188,28 +188,44 @@ static void choose_messages(struct space_time *d)
     d->sample = message_sample_make(s->trace, &d->lines, room);
 }
 
-static int by_time(const void *a, const void *b)
+/* A message's time. */
+struct way {
+    vtime sent, length;
+};
+
+static int by_sent(const void *a, const void *b)
 {
-    vtime x = *(const vtime *)a, y = *(const vtime *)b;
+    vtime x = ((const struct way *)a)->sent, y = ((const struct way *)b)->sent;
     return x < y ? -1 : x > y;
 }
 
-/* Narrows the trace's interval to the shortest one in which so many of the sampled messages are sent. */
+static int by_length(const void *a, const void *b)
+{
+    vtime x = ((const struct way *)a)->length, y = ((const struct way *)b)->length;
+    return x < y ? -1 : x > y;
+}
+
+/* Narrows the trace's interval to the shortest one in which so many of the sampled messages are sent, and
+ * half of them arrive: all nodes may send at one moment. */
 static void narrow(const struct message_sample *all, size_t most, struct trace *t)
 {
-    vtime *sent = xcalloc(all->count, sizeof *sent);
+    struct way *ways = xcalloc(all->count, sizeof *ways);
     size_t best = 0;
-    for (size_t i = 0; i < all->count; i++)
-        sent[i] = t->messages[all->list[i]].sent;
-    qsort(sent, all->count, sizeof *sent, by_time);
+    for (size_t i = 0; i < all->count; i++) {
+        const struct trace_message *m = &t->messages[all->list[i]];
+        ways[i] = (struct way){m->sent, m->complete - m->sent};
+    }
+    qsort(ways, all->count, sizeof *ways, by_sent);
     for (size_t i = 1; i + most <= all->count; i++)
-        if (sent[i + most - 1] - sent[i] < sent[best + most - 1] - sent[best])
+        if (ways[i + most - 1].sent - ways[i].sent < ways[best + most - 1].sent - ways[best].sent)
             best = i;
-    vtime length = sent[best + most - 1] - sent[best], room = length / 20 + 1;
-    vtime from = sent[best] > room ? sent[best] - room : 0, to = sent[best + most - 1] + room;
+    vtime first = ways[best].sent, last = ways[best + most - 1].sent;
+    qsort(ways + best, most, sizeof *ways, by_length);
+    last += ways[best + most / 2].length;
+    vtime room = (last - first) / 20 + 1, from = first > room ? first - room : 0;
     t->from = from > t->from ? from : t->from;
-    t->to = vt_min(to, t->to);
-    free(sent);
+    t->to = vt_min(last + room, t->to);
+    free(ways);
 }
 
 /* Chooses the interval in which messages are the densest, if there are more of them than have room. Returns

@@ -51,6 +51,18 @@ static void more(size_t shown, size_t count, FILE *f)
         fprintf(f, "  ... and %zu more: --top %zu shows them\n", count - shown, count);
 }
 
+/* The largest part that was not said yet; -1 after the last. */
+static int largest_unsaid(const vtime *parts, int count, bool *said)
+{
+    int most = -1;
+    for (int i = 0; i < count; i++)
+        if (!said[i] && parts[i] && (most < 0 || parts[i] > parts[most]))
+            most = i;
+    if (most >= 0)
+        said[most] = true;
+    return most;
+}
+
 /* --- the path --- */
 
 /* A part of the path, and what would be without. */
@@ -68,18 +80,12 @@ static void classes(struct why *w, FILE *f)
     struct why_unit u = why_unit_for(w->length);
     bool said[WHY_CLASSES] = {false};
     struct ink ink = ink_for(f);
-    char *title = xasprintf("Critical path, %s steps", number_grouped(w->path.count).text);
+    char *title = xasprintf("Critical path, %s step%s", number_grouped(w->path.count).text,
+                            w->path.count == 1 ? "" : "s");
     fprintf(f, "%s%-30s %12s %7s %22s %15s%s\n", ink.bold, title, u.name, "%", "if it took no time",
             "times faster", ink.off);
     free(title);
-    for (int n = 0; n < WHY_CLASSES; n++) {
-        int most = -1;
-        for (int i = 0; i < WHY_CLASSES; i++)
-            if (!said[i] && w->by_class[i] && (most < 0 || w->by_class[i] > w->by_class[most]))
-                most = i;
-        if (most < 0)
-            break;
-        said[most] = true;
+    for (int most; (most = largest_unsaid(w->by_class, WHY_CLASSES, said)) >= 0;) {
         class_row(w, why_class_name((enum why_class)most), w->by_class[most], f);
         if (most == WHY_HANDLERS && w->entering)
             class_row(w, "  of it into and out of them", w->entering, f);
@@ -122,11 +128,11 @@ static void causes(struct why *w, FILE *f)
     struct ink ink = ink_for(f);
     fprintf(f, "\n%sWaits of %s nodes, by cause %*s %7s%s\n", ink.bold, w->some_nodes ? "some" : "all",
             w->some_nodes ? 10 : 11, u.name, "%", ink.off);
-    for (int i = 0; i < WAIT_CAUSES; i++)
-        if (w->causes.by_cause[i])
-            fprintf(f, "  %-24s %13s %7.2f\n", wait_cause_name((enum wait_cause)i),
-                    why_number(u, w->causes.by_cause[i]).text,
-                    100 * (double)w->causes.by_cause[i] / (double)w->causes.idle);
+    bool said[WAIT_CAUSES] = {false};
+    for (int most; (most = largest_unsaid(w->causes.by_cause, WAIT_CAUSES, said)) >= 0;)
+        fprintf(f, "  %-24s %13s %7.2f\n", wait_cause_name((enum wait_cause)most),
+                why_number(u, w->causes.by_cause[most]).text,
+                100 * (double)w->causes.by_cause[most] / (double)w->causes.idle);
     fprintf(f, "  %-24s %13s %7.2f\n", "all idle time", why_number(u, w->causes.idle).text,
             w->causes.idle ? 100.0 : 0);
 }
@@ -258,20 +264,29 @@ static void say_difference(struct why *w, struct why *than, FILE *f)
     free(grew);
 }
 
+static void compare_row(struct why_unit u, const char *name, vtime this_run, vtime other, FILE *f)
+{
+    bool more = this_run >= other;
+    char *difference =
+        xasprintf("%c%s", more ? '+' : '-', why_number(u, more ? this_run - other : other - this_run).text);
+    fprintf(f, "  %-28s %14s %14s %14s\n", name, why_number(u, this_run).text, why_number(u, other).text,
+            difference);
+    free(difference);
+}
+
 /* The other run's path beside this one's. */
 static void compare(struct why *w, struct why *than, FILE *f)
 {
     say_difference(w, than, f);
+    struct why_unit u = why_unit_for(w->length > than->length ? w->length : than->length);
     struct ink ink = ink_for(f);
-    fprintf(f, "%s%-28s %14s %14s %14s%s\n", ink.bold, "Critical path, s", "this run", "the other", "more",
-            ink.off);
+    char *title = xasprintf("Critical path, %s", u.name);
+    fprintf(f, "%s%-30s %14s %14s %14s%s\n", ink.bold, title, "this run", "the other", "more", ink.off);
+    free(title);
     for (int i = 0; i < WHY_CLASSES; i++)
         if (w->by_class[i] || than->by_class[i])
-            fprintf(f, "  %-26s %14.6f %14.6f %+14.6f\n", why_class_name((enum why_class)i),
-                    vt_seconds(w->by_class[i]), vt_seconds(than->by_class[i]),
-                    seconds_more(w->by_class[i], than->by_class[i]));
-    fprintf(f, "  %-26s %14.6f %14.6f %+14.6f\n", "all", vt_seconds(w->length), vt_seconds(than->length),
-            seconds_more(w->length, than->length));
+            compare_row(u, why_class_name((enum why_class)i), w->by_class[i], than->by_class[i], f);
+    compare_row(u, "all", w->length, than->length, f);
 }
 
 void why_report(struct why *w, const struct why_report_options *o, FILE *f)

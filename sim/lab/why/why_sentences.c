@@ -399,6 +399,8 @@ static void what_if(struct why *w, FILE *f)
             return;
         said[most] = true;
         vtime left = w->length - w->by_class[most];
+        if (!left)
+            return; /* the sentence about causes says that there is no other */
         fprintf(f, "%s%s took no time, the run would take at least %s, and be at most %s times faster.",
                 n ? " If " : "If ", why_class_subject((enum why_class)most), why_time(u, left).text,
                 why_faster(w->length, left).text);

@@ -42,8 +42,9 @@ struct why_text why_percent(vtime part, vtime whole)
 struct why_text why_faster(vtime before, vtime after)
 {
     struct why_text x;
+    double times = after ? (double)before / (double)after : 0;
     if (after)
-        snprintf(x.text, sizeof x.text, "%.2f", (double)before / (double)after);
+        snprintf(x.text, sizeof x.text, "%.*f", times < 1000 ? 2 : 0, times);
     else
         snprintf(x.text, sizeof x.text, "very many");
     return x;

@@ -162,9 +162,11 @@ function axes(o, x, y, width, height, margin) {
     const across = apart(o.ticksX ? o.ticksX.filter(t => t >= x.domain()[0] && t <= x.domain()[1])
                                   : ticksOf(x, o.logX, width / 90, 34),
         x, 34);
+    const unit = axisUnit(o.yLabel, y.domain()[1]);
     for (const t of ticksOf(y, o.logY, height / 50, 16)) {
         grid.append(svgElement('line', {x1: margin.left, x2: width - margin.right, y1: y(t), y2: y(t)}));
-        g.append(svgElement('text', {x: margin.left - 8, y: y(t) + 4, 'text-anchor': 'end'}, axisNumber(t)));
+        g.append(svgElement(
+            'text', {x: margin.left - 8, y: y(t) + 4, 'text-anchor': 'end'}, axisNumber(t * unit.times)));
     }
     for (const t of across) {
         grid.append(svgElement('line', {x1: x(t), x2: x(t), y1: margin.top, y2: height - margin.bottom}));
@@ -187,8 +189,15 @@ function axes(o, x, y, width, height, margin) {
             transform: `translate(14 ${(margin.top + height - margin.bottom) / 2}) rotate(-90)`,
             'text-anchor': 'middle'
         },
-            o.yLabel));
+            unit.label));
     return g;
+}
+
+/* Short times have an axis in ms or µs, as in the pictures of a study: by how much its seconds are multiplied,
+ * and its label. */
+function axisUnit(label, most) {
+    const [unit, times] = most < 1e-3 ? ['µs', 1e6] : most < 0.1 ? ['ms', 1e3] : ['s', 1];
+    return /(^|, )s$/.test(label) ? {times, label: label.replace(/s$/, unit)} : {times: 1, label};
 }
 
 function axisNumber(t) {

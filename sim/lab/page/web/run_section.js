@@ -97,10 +97,11 @@ function drawBars(nodes, total, width, tip) {
         role: 'img',
         'aria-label': 'Computing, system and idle time of each node; the table behind has the figures'
     });
-    const grid = svgElement('g', {class: 'grid'});
+    const grid = svgElement('g', {class: 'grid'}), unit = axisUnit('s', total);
     for (const t of y.ticks(5))
         grid.append(svgElement('line', {x1: margin.left, x2: width - margin.right, y1: y(t), y2: y(t)}),
-            svgElement('text', {x: margin.left - 8, y: y(t) + 4, 'text-anchor': 'end'}, axisNumber(t)));
+            svgElement('text', {x: margin.left - 8, y: y(t) + 4, 'text-anchor': 'end'},
+                axisNumber(t * unit.times)));
     svg.append(grid);
     const gap = x(1) - x(0) > 4 ? Math.min(3, (x(1) - x(0)) * 0.15) : 0;
     nodes.forEach((n, i) => {
@@ -131,7 +132,7 @@ function drawBars(nodes, total, width, tip) {
             transform: `translate(14 ${height / 2 - 15}) rotate(-90)`,
             'text-anchor': 'middle'
         },
-            's'));
+            unit.label));
     svg.addEventListener('pointermove', e => {
         const i = Math.floor(x.invert(e.clientX - svg.getBoundingClientRect().left)), n = nodes[i];
         tip.textContent =
