@@ -213,7 +213,7 @@ static void narrow(const struct message_sample *all, size_t most, struct trace *
     size_t best = 0;
     for (size_t i = 0; i < all->count; i++) {
         const struct trace_message *m = &t->messages[all->list[i]];
-        ways[i] = (struct way){m->sent, m->complete - m->sent};
+        ways[i] = (struct way){m->sent, m->complete == VT_NEVER ? 0 : m->complete - m->sent};
     }
     qsort(ways, all->count, sizeof *ways, by_sent);
     for (size_t i = 1; i + most <= all->count; i++)
