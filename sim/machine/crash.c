@@ -331,7 +331,7 @@ static void print_given(FILE *f, const struct node_crash *g, const char *call)
                 call);
     else
         fprintf(f,
-                "\n  %s uses what it is given: are all buffers and lists there, and as large as it is told?",
+                "\n  Look at the arguments of %s: is each buffer or list there, and as long as it should be?",
                 call);
 }
 
