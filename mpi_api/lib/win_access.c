@@ -152,12 +152,11 @@ static void await_answer(struct win *w, const struct access *a, char *into, size
     add_pending(w, &(struct pending){.id = (int)nxm_irecv(&e, into, (long)bytes), .rank = a->rank});
 }
 
-static void send_message(struct win *w, const struct access *a, int tag, char *message, size_t bytes)
+static void send_message(struct win *w, const struct nxm_envelope *e, int rank, void *message, size_t bytes)
 {
-    const struct nxm_envelope e = envelope(w, a->call, tag, win_node(w, a->rank));
-    int id = (int)nxm_isend(&e, message, (long)bytes, false);
+    int id = (int)nxm_isend(e, message, (long)bytes, false);
     if (id)
-        add_pending(w, &(struct pending){.id = id, .rank = a->rank, .memory = message});
+        add_pending(w, &(struct pending){.id = id, .rank = rank, .memory = message});
     else
         free(message);
 }
@@ -191,6 +190,7 @@ void access_send(struct win *w, const struct access *a, int tag, size_t most)
            room = all < most ? all : most;
     char *packed, *fetched = NULL, *into = NULL;
     const char *data = data_of(a, l.bytes, &packed);
+    const struct nxm_envelope e = envelope(w, a->call, tag, win_node(w, a->rank));
     if (a->fetches && (a->whole || !(into = type_together(a->into, a->room, a->as, &whole))))
         into = fetched = get_memory(l.bytes);
     while (done < l.bytes) {
@@ -204,7 +204,7 @@ void access_send(struct win *w, const struct access *a, int tag, size_t most)
         memcpy(message, &head, sizeof head);
         if (sent)
             memcpy(span + head.spans, data + done, sent);
-        send_message(w, a, tag, message, sizeof head + (size_t)head.spans * sizeof *span + sent);
+        send_message(w, &e, a->rank, message, sizeof head + (size_t)head.spans * sizeof *span + sent);
         done += bytes;
     }
     if (fetched)
@@ -248,6 +248,14 @@ void win_tell(struct win *w, int node, int tag, struct win_head head)
 {
     const struct nxm_envelope e = envelope(w, head.call, tag, node);
     nxm_send(&e, &head, sizeof head, false);
+}
+
+void win_tell_pending(struct win *w, int node, int tag, struct win_head head)
+{
+    const struct nxm_envelope e = envelope(w, head.call, tag, node);
+    struct win_head *message = get_memory(sizeof *message);
+    *message = head;
+    send_message(w, &e, -1, message, sizeof *message);
 }
 
 /* --- at the target --- */

@@ -1,5 +1,6 @@
 /* win_active.c - epochs in which the target takes part: from fence to fence; or from start to complete at the
- * ranks that access, and from post to wait at those that are accessed. */
+ * ranks that access, and from post to wait at those that are accessed. These serve accesses by a task, in any
+ * call that waits: a rank that is accessed may itself wait for another. */
 #include <stdlib.h>
 #include "tasks.h"
 #include "wins.h"
@@ -22,13 +23,13 @@ void active_keep(struct win *w, const struct access *a)
     w->last_kept = &kept->next;
 }
 
-static void send_kept(struct win *w, int call)
+static void send_kept(struct win *w, int call, size_t most)
 {
     while (w->kept) {
         struct access *a = w->kept;
         w->kept = a->next;
         a->call = call;
-        access_send(w, a, ACCESS, SIZE_MAX);
+        access_send(w, a, ACCESS, most);
         type_leave(a->type);
         type_leave(a->as);
         type_leave(a->their_type);
@@ -37,28 +38,20 @@ static void send_kept(struct win *w, int call)
     w->last_kept = &w->kept;
 }
 
-/* Takes the next message, and carries it out. False: there is none, and the call does not wait. */
-static bool take(struct win *w, int call, bool waits)
+/* Waits for the next message, and carries it out. */
+static void take(struct win *w, int call)
 {
     struct nxm_envelope e = {call, ACCESS, -1, w->comm->context};
     struct nxm_status s;
     do {
         if (tasks_under_way)
             tasks_go_on(call);
-        if (nxm_probe(&e, waits && !tasks_under_way, &s))
-            break;
-        if (!waits)
-            return false;
-    } while (true);
+    } while (!nxm_probe(&e, !tasks_under_way, &s));
     char *message = get_memory((size_t)s.bytes);
     e.node = s.node;
     nxm_recv(&e, message, s.bytes, &s);
-    if (((struct win_head *)message)->what == DONE)
-        w->missing--;
-    else
-        access_carry_out(w, message, s.node);
+    access_carry_out(w, message, s.node);
     free(message);
-    return true;
 }
 
 /* --- fence --- */
@@ -83,9 +76,9 @@ CALL(Win_fence, (int assert, MPI_Win win))
         counts[a->rank] += access_messages(a);
     coll_sum_for_each(&o, counts, &own);
     free(counts);
-    send_kept(w, CALL_Win_fence);
+    send_kept(w, CALL_Win_fence, SIZE_MAX);
     while (own-- > 0)
-        take(w, CALL_Win_fence, true);
+        take(w, CALL_Win_fence);
     access_wait(w, CALL_Win_fence, -1);
     return MPI_SUCCESS;
 }
@@ -132,10 +125,10 @@ CALL(Win_complete, (MPI_Win win))
         return fail_no_win(CALL_Win_complete);
     if (!w->started)
         return fail_win(w, CALL_Win_complete, MPI_ERR_RMA_SYNC, "no epoch of MPI_Win_start goes on");
-    send_kept(w, CALL_Win_complete);
+    send_kept(w, CALL_Win_complete, MOST_BYTES - sizeof(struct win_head));
     for (int i = 0; i < w->started->size; i++)
-        win_tell(w, group_node(w->started, i), ACCESS,
-                 (struct win_head){.what = DONE, .call = CALL_Win_complete});
+        win_tell_pending(w, group_node(w->started, i), ACCESS,
+                         (struct win_head){.what = DONE, .call = CALL_Win_complete});
     access_wait(w, CALL_Win_complete, -1);
     group_leave(w->started);
     w->started = NULL;
@@ -143,6 +136,25 @@ CALL(Win_complete, (MPI_Win win))
 }
 
 /* --- post, wait --- */
+
+/* A task: carries out what comes, until all ranks of the epoch have completed. */
+static int serve(struct args *a)
+{
+    struct win *w = a->into;
+    const struct nxm_envelope e = {CALL_Win_post, ACCESS, -1, w->comm->context};
+    char *message = get_memory(MOST_BYTES);
+    while (w->missing) {
+        struct nxm_status s;
+        int id = (int)nxm_irecv(&e, message, MOST_BYTES);
+        tasks_complete(&(struct nxm_completion){CALL_Win_post, NXM_WAIT, 1, &id, &s});
+        if (((struct win_head *)message)->what == DONE)
+            w->missing--;
+        else
+            access_carry_out(w, message, s.node);
+    }
+    free(message);
+    return MPI_SUCCESS;
+}
 
 CALL(Win_post, (MPI_Group group, int assert, MPI_Win win))
 {
@@ -158,32 +170,44 @@ CALL(Win_post, (MPI_Group group, int assert, MPI_Win win))
         const struct nxm_envelope e = {CALL_Win_post, TOKEN, group_node(g, i), w->comm->context};
         nxm_send(&e, NULL, 0, false);
     }
+    w->exposure = task_start(serve, &(struct args){.into = w});
     return MPI_SUCCESS;
 }
 
-static int end_exposure(struct win *w, int call, bool waits, int *flag)
+static int check_posted(struct win *w, int call)
 {
     if (!w)
         return fail_no_win(call);
-    if (!w->posted)
-        return fail_win(w, call, MPI_ERR_RMA_SYNC, "no epoch of MPI_Win_post goes on");
-    while (w->missing && take(w, call, waits))
-        continue;
-    *flag = !w->missing;
-    if (!*flag)
-        return MPI_SUCCESS;
+    return w->posted ? MPI_SUCCESS : fail_win(w, call, MPI_ERR_RMA_SYNC, "no epoch of MPI_Win_post goes on");
+}
+
+static void end_exposure(struct win *w)
+{
+    task_end(w->exposure);
     group_leave(w->posted);
     w->posted = NULL;
-    return MPI_SUCCESS;
 }
 
 CALL(Win_wait, (MPI_Win win))
 {
-    int flag;
-    return end_exposure(win_of(win), CALL_Win_wait, true, &flag);
+    struct win *w = win_of(win);
+    int code = check_posted(w, CALL_Win_wait);
+    if (code)
+        return code;
+    tasks_wait(CALL_Win_wait, w->exposure);
+    end_exposure(w);
+    return MPI_SUCCESS;
 }
 
 CALL(Win_test, (MPI_Win win, int *flag))
 {
-    return end_exposure(win_of(win), CALL_Win_test, false, flag);
+    struct win *w = win_of(win);
+    int code = check_posted(w, CALL_Win_test);
+    if (code)
+        return code;
+    tasks_go_on(CALL_Win_test);
+    *flag = task_is_done(w->exposure);
+    if (*flag)
+        end_exposure(w);
+    return MPI_SUCCESS;
 }

@@ -6,8 +6,6 @@
 #include "tasks.h"
 #include "wins.h"
 
-enum { MOST_BYTES = 16384 }; /* of a message for the handler */
-
 /* --- the target --- */
 
 struct waiting {

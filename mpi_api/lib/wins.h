@@ -8,8 +8,9 @@
  *                win_passive.c   it does not: locks, served by a handler, which interrupts its program
  *
  * In active epochs accesses are kept until the call that ends the epoch, and sent then; the target carries
- * them out in the call that ends its own. In passive ones they are sent at once. All messages go in the
- * context of the window's communicator. Accesses of one rank to another are carried out in their order. */
+ * them out in its fence, or, from post to wait, in any call that waits. In passive ones they are sent at
+ * once. All messages go in the context of the window's communicator. Accesses of one rank to another are
+ * carried out in their order. */
 #ifndef MPI_WINS_H
 #define MPI_WINS_H
 #include "coll.h"
@@ -52,6 +53,7 @@ struct remote {
     int unit;
 };
 
+struct task;
 struct win_server;
 struct win {
     struct object object;
@@ -68,7 +70,8 @@ struct win {
     /* active */
     bool fenced;
     struct group *started, *posted;
-    int missing; /* ranks that have begun, and not completed */
+    int missing;           /* ranks that have begun, and not completed */
+    struct task *exposure; /* while posted: serves accesses */
     struct access *kept, **last_kept;
     /* passive */
     int *locked; /* of each rank: 0, or the kind of lock */
@@ -87,6 +90,7 @@ int win_check_idle(struct win *w, int call);
 /* --- accesses --- */
 
 enum { ASK = 1, ACCESS, TOKEN, FETCHED, ANSWER }; /* tags */
+enum { MOST_BYTES = 16384 }; /* of a message for a handler or a task: their buffers have room for it */
 
 /* What a message says of itself; behind it come the spans of the target's memory, and the data, which lie as
  * aligned as malloc's memory does: copies of long doubles need that. */
@@ -111,8 +115,9 @@ int access_messages(const struct access *a);
 void access_carry_out(struct win *w, char *message, int node);
 /* Waits for what is pending: of one rank, or (-1) of all. */
 void access_wait(struct win *w, int call, int rank);
-/* Sends a message without data at once. */
+/* Sends a message without data at once; or so that it is pending. */
 void win_tell(struct win *w, int node, int tag, struct win_head head);
+void win_tell_pending(struct win *w, int node, int tag, struct win_head head);
 int win_node(const struct win *w, int rank);
 
 /* --- epochs --- */

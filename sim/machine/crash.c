@@ -331,7 +331,7 @@ static void print_given(FILE *f, const struct node_crash *g, const char *call)
                 call);
     else
         fprintf(f,
-                "\n  %s uses what it is given: are all buffers and lists there, and as large as it is told?",
+                "\n  Look at the arguments of %s: is each buffer or list there, and as long as it should be?",
                 call);
 }
 
@@ -340,7 +340,11 @@ static void print_frames(FILE *f, const struct node *n, const uintptr_t *frames,
     const struct node_crash *g = n->cold->crash;
     if (g->in_library && !n->call.name) {
         const char *called = g->depth > 1 ? backtrace_called(n, g->frames[1]) : NULL;
-        fprintf(f, "\n  in %s", called ? called : "a library function");
+        bool to_none = g->signal == SIGSEGV && g->address == g->frames[0];
+        fprintf(f, "\n  in %s",
+                to_none  ? "no function: it called a pointer to none"
+                : called ? called
+                         : "a library function");
     }
     backtrace_print(f, n, "in", frames, depth);
 }

@@ -107,7 +107,7 @@ check "no such axis" said 'no picture virtual_time_s: there is no axis knots; th
 plot axes.cfg
 check "a study is no results" said 'axes.cfg:1: these are no results of touchstone study'
 plot first --x nodes --y nothing
-check "no such figure" said 'no point has a figure nothing'
+check "no such figure: those there are" said 'no point has a figure nothing; there are: .*virtual_time_s, .*speedup'
 plot first --baseline clock -o own
 check "a baseline for each clock" grep -q '>baseline: the fewest nodes of each clock<' own/speedup.svg
 plot first -o own
@@ -147,7 +147,7 @@ refused 65 'wrong_baseline.cfg:2: baseline: "clock=50": axis clock has no value 
 plot first -o first/time.png/below
 check "a folder that cannot be made" bash -c '[ "$1" = 65 ] && grep -q "first/time.png/below cannot be made: " err' - "$status"
 cd own && plot results.json
-check "results that are not there" said '^touchstone plot: unable to open results.json: No such file'
+check "results that are not there" said '^touchstone plot: results.json cannot be read: No such file'
 cp ../first/results.json .
 plot results.json --x nodes --y virtual_time_s --file here
 check "pictures are beside results.json" test -s here.png

@@ -160,6 +160,8 @@ int main(int argc, char **argv)
         __builtin_trap();
     if (!strcmp(how, "privileged"))
         __asm__ volatile("hlt");
+    if (!strcmp(how, "no_function"))
+        ((void (*volatile)(void))NULL)();
     if (!strcmp(how, "copy"))
         copy(buf);
     if (!strcmp(how, "constant"))

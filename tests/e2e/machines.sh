@@ -44,3 +44,12 @@ check "no such machine" ended_with 65
 check "the list is the answer" said '[Tt]here are: .*delta'
 machines dif
 check "a command misspelt" said "no command 'machines dif'; did you mean 'machines diff'"
+
+# Who copies an example of a help text finds the key there.
+for command in run study fit explore serve "trace why"; do
+    # shellcheck disable=SC2086
+    "$BUILD/touchstone" $command --help
+done | grep -oE '(topology|node|net|system|cfs|host)\.[a-z_]+=' | tr -d = | sort -u >named
+machines show ipsc860
+check "help texts name keys" grep -qxF system.interrupt_us named
+check "and all of them are a machine's" test -z "$(grep -vxFf <(awk '{ print $1 }' out) named)"

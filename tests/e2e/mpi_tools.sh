@@ -144,11 +144,11 @@ while IFS='|' read -r how call what; do
         [ "$(grep -m1 -oE '(called from|in) main.*' err | grep -oE 'given\.c:[0-9]+')" = "$(line given.c "$call(")" ]
     check "$how: no function of the library is named" [ "$(grep -cE '(called from|in) ' err)" = 2 ]
 done <<'END'
-gather|MPI_Gather|MPI_Gather uses what it is given
-counts|MPI_Scatterv|MPI_Scatterv uses what it is given
+gather|MPI_Gather|Look at the arguments of MPI_Gather:
+counts|MPI_Scatterv|Look at the arguments of MPI_Scatterv:
 place|MPI_Bcast|0x1 is MPI_IN_PLACE
-status|MPI_Get_count|MPI_Get_count uses what it is given
-requests|MPI_Waitall|MPI_Waitall uses what it is given
+status|MPI_Get_count|Look at the arguments of MPI_Get_count:
+requests|MPI_Waitall|Look at the arguments of MPI_Waitall:
 END
 run -q -n 2 given operation
 check "a fault of the program's own operation is its own" grep -qE '^  in add.*given\.c:' err

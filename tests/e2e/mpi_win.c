@@ -126,6 +126,57 @@ static void post(void)
     all("start, complete, post, wait", holds);
 }
 
+/* Each rank is accessed by the one before while it accesses the next, and may wait for a message before it
+ * waits for the end of the accesses. */
+static void ring(void)
+{
+    enum { LONG = 50000 };
+    static int memory[LONG + 1], out[LONG];
+    int next = (rank + 1) % size, before = (rank + size - 1) % size, holds = 1, got, told = -1;
+    MPI_Group world, to, from;
+    MPI_Win win;
+    MPI_Comm_group(MPI_COMM_WORLD, &world);
+    MPI_Group_incl(world, 1, &next, &to);
+    MPI_Group_incl(world, 1, &before, &from);
+    MPI_Win_create(memory, sizeof memory, sizeof(int), MPI_INFO_NULL, MPI_COMM_WORLD, &win);
+    for (int round = 0; round < 3; round++) {
+        for (int i = 0; i < LONG; i++)
+            out[i] = 1000 * rank + i + round;
+        memory[LONG] = 7 * rank + round, got = -1;
+        MPI_Win_post(from, 0, win);
+        MPI_Win_start(to, 0, win);
+        MPI_Get(&got, 1, MPI_INT, next, LONG, 1, MPI_INT, win);
+        MPI_Put(out, LONG, MPI_INT, next, 0, LONG, MPI_INT, win);
+        MPI_Win_complete(win);
+        if (round == 1)
+            MPI_Sendrecv(&got, 1, MPI_INT, next, 3, &told, 1, MPI_INT, before, 3, MPI_COMM_WORLD,
+                         MPI_STATUS_IGNORE);
+        MPI_Win_wait(win);
+        holds = holds && got == 7 * next + round && (round < 1 || told == 7 * rank + 1);
+        for (int i = 0; i < LONG; i++)
+            holds = holds && memory[i] == 1000 * before + i + round;
+    }
+    /* The last rank accesses the first, which waits for its message in between. */
+    if (size > 1 && rank == 0) {
+        MPI_Win_post(from, 0, win);
+        MPI_Recv(&told, 1, MPI_INT, before, 4, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+        MPI_Win_wait(win);
+        holds = holds && told == 2 && memory[5] == -size;
+    } else if (size > 1 && rank == size - 1) {
+        int value = -size;
+        MPI_Win_start(to, 0, win);
+        MPI_Get(&got, 1, MPI_INT, 0, LONG, 1, MPI_INT, win);
+        MPI_Put(&value, 1, MPI_INT, 0, 5, 1, MPI_INT, win);
+        MPI_Win_complete(win);
+        MPI_Send(&got, 1, MPI_INT, 0, 4, MPI_COMM_WORLD);
+    }
+    MPI_Win_free(&win);
+    MPI_Group_free(&to);
+    MPI_Group_free(&from);
+    MPI_Group_free(&world);
+    all("each accesses the next, and is accessed meanwhile", holds);
+}
+
 /* Rank 0 computes, and takes part in nothing: the others count in its memory, and each takes its turn. */
 static void lock(void)
 {
@@ -238,6 +289,7 @@ int main(int argc, char **argv)
     fence();
     datatypes();
     post();
+    ring();
     lock();
     known();
     if (rank == 0)

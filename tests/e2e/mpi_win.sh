@@ -8,12 +8,12 @@ check "mpicc compiles" bin/mpicc -O2 -g -Wall -o mpi_win "$tests/mpi_win.c"
 for on in "delta -n 4" "delta -n 9" "paragon -n 7" "ipsc860 -n 2" "delta -n 1"; do
     # shellcheck disable=SC2086
     run -q -m $on mpi_win
-    check "$on: all holds" test "$status:$(grep -c ': yes$' out):$(grep -c NO out)" = 0:5:0
+    check "$on: all holds" test "$status:$(grep -c ': yes$' out):$(grep -c NO out)" = 0:6:0
     # shellcheck disable=SC2086
     equal_results "$on" -m $on mpi_win
 done
 run -q -m delta -n 4 --set mpi_eager_limit=0 mpi_win
-check "no send is eager: all holds" test "$status:$(grep -c ': yes$' out)" = 0:5
+check "no send is eager: all holds" test "$status:$(grep -c ': yes$' out)" = 0:6
 run -q -n 4 mpi_win outside
 check "an access outside of the window: rank, call and what there is" said \
     "node [0-3], at [0-9.]+ [mun]?s: MPI_Get: rank 1's window has 8 bytes in units of 4"

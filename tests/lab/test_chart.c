@@ -71,7 +71,7 @@ static char *script_of(struct picture p)
     struct chart_data d;
     FILE *out = open_memstream(&text, &size);
     assert_true(chart_data_take(&points, &p, &d, &error));
-    assert_true(chart_script_write(root, &p, &d, "dir", out, &error));
+    assert_true(chart_script_write(root, &p, &d, "dir", out));
     fclose(out);
     chart_data_free(&d);
     json_decref(root);

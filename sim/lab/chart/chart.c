@@ -14,8 +14,11 @@ static bool write_script(const struct record_points *points, const struct pictur
                          FILE *script, char **error)
 {
     struct chart_data d;
-    bool ok = chart_data_take(points, p, &d, error) &&
-              chart_script_write(points->header, p, &d, dir, script, error);
+    bool ok = chart_data_take(points, p, &d, error);
+    if (ok && !chart_script_write(points->header, p, &d, dir, script)) {
+        *error = record_no_figure(points, p->figure);
+        ok = false;
+    }
     chart_data_free(&d);
     return ok;
 }

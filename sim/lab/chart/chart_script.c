@@ -403,7 +403,7 @@ static const char *ideal_of(const struct picture *p)
 }
 
 bool chart_script_write(const json_t *header, const struct picture *p, const struct chart_data *d,
-                        const char *dir, FILE *out, char **error)
+                        const char *dir, FILE *out)
 {
     char *heading = heading_of(header, p), *notes = notes_of(header, p, d);
     struct script s = {.picture = p,
@@ -424,8 +424,6 @@ bool chart_script_write(const json_t *header, const struct picture *p, const str
         write_words("notes = ", notes, out);
         write_page(&s, false, dir);
         write_page(&s, true, dir);
-    } else {
-        *error = xasprintf("no point has a figure %s", p->figure);
     }
     free(s.y);
     free(heading);

@@ -7,8 +7,8 @@
 #define LAB_CHART_CHART_SCRIPT_H
 #include "lab/chart/chart_data.h"
 
-/* Writes the script that draws DIR/FILE.png and DIR/FILE.svg. header: of the results (record.h). False with
- * *error malloc'd if the data have no point. */
+/* Writes the script that draws DIR/FILE.png and DIR/FILE.svg. header: of the results (record.h). False if the
+ * data have no point. */
 bool chart_script_write(const json_t *header, const struct picture *p, const struct chart_data *d,
-                        const char *dir, FILE *script, char **error);
+                        const char *dir, FILE *script);
 #endif

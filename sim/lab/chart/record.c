@@ -3,7 +3,7 @@
 #include "files/atomic_file.h"
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
-
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -175,7 +175,7 @@ bool record_read(const char *path, struct record_points *points, char **error)
     bool ok = json_is_array(list) && json_is_object(json_object_get(root, "axes")) &&
               json_is_string(json_object_get(root, "title"));
     if (!root && why.line < 0)
-        *error = xstrdup(why.text);
+        *error = xasprintf("%s cannot be read: %s", path, strerror(errno));
     else if (!root)
         *error = xasprintf("%s:%d: these are no results of touchstone study: %s", path, why.line, why.text);
     else if (!ok)
@@ -192,17 +192,48 @@ void record_free(struct record_points *points)
     json_decref(points->header);
 }
 
-char *record_no_axis(const json_t *axes, const char *name)
+/* The text, and behind it the names, but for those that `without` has. */
+static char *with_names(char *text, const json_t *names, const json_t *without)
 {
-    char *said = xasprintf("there is no axis %s; there are: ", name);
-    const char *axis, *comma = "";
-    json_t *values;
-    json_object_foreach((json_t *)axes, axis, values)
+    const char *name, *comma = "";
+    json_t *value;
+    json_object_foreach((json_t *)names, name, value)
     {
-        char *longer = xasprintf("%s%s%s", said, comma, axis);
-        free(said);
-        said = longer;
+        if (json_object_get(without, name))
+            continue;
+        char *longer = xasprintf("%s%s%s", text, comma, name);
+        free(text);
+        text = longer;
         comma = ", ";
     }
-    return said;
+    return text;
+}
+
+char *record_no_axis(const json_t *axes, const char *name)
+{
+    return with_names(xasprintf("there is no axis %s; there are: ", name), axes, NULL);
+}
+
+static bool add_figures(void *arg, const json_t *point, char **error)
+{
+    const char *key;
+    json_t *value;
+    (void)error;
+    json_object_foreach((json_t *)point, key, value)
+    {
+        if (json_is_number(value))
+            json_set(arg, key, value);
+    }
+    return true;
+}
+
+char *record_no_figure(const struct record_points *points, const char *name)
+{
+    json_t *figures = json_object();
+    char *error = NULL, *text = xasprintf("no point has a figure %s; there are: ", name);
+    if (points->each(points->arg, add_figures, figures, &error))
+        text = with_names(text, figures, json_object_get(points->header, "axes"));
+    free(error);
+    json_decref(figures);
+    return text;
 }

@@ -23,7 +23,9 @@ bool record_write_csv(const struct record_points *points, const char *dir, char 
 /* Reads a results.json into memory, to be freed by record_free(). False with *error malloc'd. */
 bool record_read(const char *path, struct record_points *points, char **error);
 
-/* Says of a header's axes that none has this name, and which there are; malloc'd. */
+/* Says of a header's axes, or of the points' figures, that none has this name, and which there are;
+ * malloc'd. */
 char *record_no_axis(const json_t *axes, const char *name);
+char *record_no_figure(const struct record_points *points, const char *name);
 void record_free(struct record_points *points);
 #endif

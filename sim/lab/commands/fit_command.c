@@ -36,7 +36,7 @@ static const char DOC[] =
     "The study file is one of touchstone study, with one group more:\n"
     "  fit = {\n"
     "    parameters = (\n"
-    "      { name = \"latency\"; set = \"net.latency_us={}\";\n"
+    "      { name = \"send\"; set = \"system.short_send_us={}\";\n"
     "        from = 10.0; to = 200.0; start = 50.0; }, # default start: the middle\n"
     "      { name = \"k\"; arguments = \"-k {}\"; from = 1.0; to = 4.0;\n"
     "        logarithmic = true; }\n"
@@ -57,7 +57,7 @@ static const char DOC[] =
     "  64  wrong arguments\n"
     "  65  study file or measurements cannot be used, or the results not written\n\n"
     "Example:\n"
-    "  touchstone fit latency.cfg --constants mine.cfg";
+    "  touchstone fit send.cfg --constants mine.cfg";
 
 static error_t parse(int key, char *arg, struct argp_state *state)
 {

@@ -4,7 +4,7 @@
  *
  *     fit = {
  *         parameters = (
- *             { name = "latency"; set = "net.latency_us={}"; from = 10.0; to = 200.0; start = 50.0; },
+ *             { name = "send"; set = "system.short_send_us={}"; from = 10.0; to = 200.0; start = 50.0; },
  *             { name = "k"; arguments = "-k {}"; from = 1.0; to = 4.0; logarithmic = true; } );
  *         measurements = "measured.csv";
  *         weights = "relative";
