@@ -367,18 +367,14 @@ static void waiting(struct why *w, FILE *f)
         fprintf(f, "The nodes hardly waited: %s of their time.", why_percent(w->causes.idle, all).text);
         return;
     }
-    if (one)
-        fprintf(f, "The other nodes waited for %s of their time, %s in all.", why_percent(idle, all).text,
-                why_time(why_unit_for(idle), idle).text);
-    else
-        fprintf(f, "The nodes waited for %s of their time, %s in all.", why_percent(idle, all).text,
-                why_time(why_unit_for(idle), idle).text);
+    fprintf(f, "The %snodes waited for %s of their time, %s in all", one ? "other " : "",
+            why_percent(idle, all).text, why_time(why_unit_for(idle), idle).text);
     bool mainly = for_one > w->causes.idle / 2 && w->t->node_count > 2;
     if (mainly)
-        fprintf(f, " Of all waiting, %s was for %s: ", why_percent(for_one, w->causes.idle).text,
+        fprintf(f, ". Of all waiting, %s was for %s: ", why_percent(for_one, w->causes.idle).text,
                 node_words(w, partner));
     else
-        fputs(" Of that, ", f);
+        fputs(": ", f);
     say_reasons(w, mainly ? partner : TRACE_NONE, mainly ? wait_for(w, partner) : w->causes.idle, f);
     fputc('.', f);
 }
