@@ -63,18 +63,24 @@ void backtrace_print(FILE *f, const struct node *n, const char *how, const uintp
     }
 }
 
-/* (How MPI's library is made is no concern of the program's.) */
 static bool is_of_mpi(const struct node *n, uintptr_t address)
 {
     return !backtrace_in_program(n, address) ||
            node_image_in_mpi(n->guest.file, address - (uintptr_t)n->guest.program);
 }
 
+/* (How the libraries are made is no concern of the program's.) */
+static bool is_of_library(const struct node *n, uintptr_t address)
+{
+    return !backtrace_in_program(n, address) ||
+           node_image_in_library(n->guest.file, address - (uintptr_t)n->guest.program);
+}
+
 void backtrace_print_calls(FILE *f, const struct node *n, uintptr_t frame)
 {
     uintptr_t returns[MOST_CALLS];
     int depth = backtrace_walk(n, frame, returns, MOST_CALLS), first = 0;
-    while (first < depth && is_of_mpi(n, returns[first] - 1))
+    while (first < depth && is_of_library(n, returns[first] - 1))
         first++;
     for (int i = 0; i < depth; i++)
         returns[i]--; /* into the call */

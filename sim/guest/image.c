@@ -458,15 +458,25 @@ static bool line_of(const struct elf_file *f, uint64_t vaddr, char *buf, size_t 
     return true;
 }
 
-bool node_image_in_mpi(const struct node_image *img, size_t offset)
+static bool is_in(const struct node_image *img, size_t offset, bool (*such)(const char *path))
 {
     int line;
     char *path = offset < img->bytes && img->elf->debug
                      ? source_line(img->elf->bytes, img->elf->size, offset, &line)
                      : NULL;
-    bool yes = path && layer_is_mpi(path);
+    bool yes = path && such(path);
     free(path);
     return yes;
+}
+
+bool node_image_in_mpi(const struct node_image *img, size_t offset)
+{
+    return is_in(img, offset, layer_is_mpi);
+}
+
+bool node_image_in_library(const struct node_image *img, size_t offset)
+{
+    return is_in(img, offset, layer_is_library);
 }
 
 void node_image_set_layer(struct node_image *img, char *const *layer)

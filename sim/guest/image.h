@@ -65,6 +65,8 @@ const char *node_image_where(const struct node_image *img, size_t offset, char *
 bool node_image_line(const struct node_image *img, size_t offset, char *buf, size_t size);
 /* Is the line in MPI's library? */
 bool node_image_in_mpi(const struct node_image *img, size_t offset);
+/* Is it in the libraries of NX, of C or of MPI? */
+bool node_image_in_library(const struct node_image *img, size_t offset);
 /* Finds the line of the frame that reports name at an offset (guest/layer.h), as node_image_line() does.
  * Returns false, too, if all frames there are of the program's message layer. */
 bool node_image_line_outside(const struct node_image *img, size_t offset, char *buf, size_t size);
