@@ -85,8 +85,21 @@ void leftovers_begin(struct leftovers *k, struct mpi_findings *all, struct node 
         for (size_t j = 0; j < sizeof kinds / sizeof *kinds; j++)
             if ((at = told_pointer(c, kinds[j].type)))
                 drop(k, *at);
-    if (strcmp(c->name, "MPI_Finalize") == 0)
+    if (strcmp(c->name, "MPI_Init") == 0 || strcmp(c->name, "MPI_Init_thread") == 0)
+        k->init = mpi_place(n, c);
+    if (strcmp(c->name, "MPI_Finalize") == 0) {
         report(k, all, n);
+        k->init.call = NULL;
+    }
+}
+
+void leftovers_ended(struct leftovers *k, struct mpi_findings *all, const struct node *n)
+{
+    if (!k->init.call)
+        return;
+    mpi_findings_add(all, NOT_FINALIZED, n->id, &k->init, NULL, "");
+    report(k, all, n);
+    k->init.call = NULL; /* the end of the run comes, too */
 }
 
 void leftovers_end(struct leftovers *k, struct node *n, const struct nxm_told *c)

@@ -1,5 +1,5 @@
-/* leftovers.h - what a rank makes, and has not freed or completed when it calls MPI_Finalize: requests,
- * communicators, datatypes, groups, operations. */
+/* leftovers.h - what a rank makes, and has not freed or completed when it calls MPI_Finalize, or ends without
+ * doing so: requests, communicators, datatypes, groups, operations. */
 #ifndef MPI_LEFTOVERS_H
 #define MPI_LEFTOVERS_H
 #include "mpi_api/checks/mpi_findings.h"
@@ -15,10 +15,13 @@ struct leftovers {
     const struct nxm_library *library;
     struct made *list;
     size_t count, room;
+    struct mpi_place init; /* MPI_Init's; no call: MPI_Finalize has been called, too */
 };
 
 /* A call begins, which may be MPI_Finalize; has ended. */
 void leftovers_begin(struct leftovers *k, struct mpi_findings *all, struct node *n, const struct nxm_told *c);
 void leftovers_end(struct leftovers *k, struct node *n, const struct nxm_told *c);
+/* The program has ended by itself. */
+void leftovers_ended(struct leftovers *k, struct mpi_findings *all, const struct node *n);
 void leftovers_free(struct leftovers *k);
 #endif

@@ -95,8 +95,18 @@ static void hear_gives(struct observer *o, struct node *n, const struct receive 
     fits_gives(&checks_of(o)->fits, checks_of(o)->all->fits, n, r, m);
 }
 
+/* (What else ends a program is reported anyway.) */
+static void hear_ends_program(struct observer *o, struct node *n, vtime t)
+{
+    struct node_checks *k = checks_of(o);
+    (void)t;
+    if ((n->end.how == NODE_RETURNED || n->end.how == NODE_EXITED) && !n->end.exit_code)
+        leftovers_ended(&k->leftovers, k->all->findings, n);
+}
+
 static const struct announcements checker = {
     .in_order = true,
+    .ends = hear_ends_program,
     .library_begins = hear_begins,
     .library_ends = hear_ends,
     .sends = hear_sends,

@@ -124,6 +124,7 @@ static const char *const texts[MPI_FINDINGS] = {
     [OTHER_OPS] = "operations differ",
     [OTHER_AMOUNTS] = "counts or datatypes differ",
     [OTHER_TYPES] = "datatypes differ",
+    [NOT_FINALIZED] = "MPI_Finalize never called",
 };
 
 static void print_finding(const struct finding *d, const char *before, FILE *f)

@@ -91,6 +91,9 @@ check "kinds of numbers" told "sends reals" "receives integers" "tag 6 in MPI_CO
 run -q -n 4 --mpi-checks left_over well
 check "a program that cleans up has nothing" ended_with 0
 check "and nothing is told" [ ! -s err ]
+run -q -n 4 --mpi-checks left_over ends
+check "an end without MPI_Finalize: MPI_Init's line" told "MPI: MPI_Finalize never called: MPI_Init at $(line left_over.c 'MPI_Init(')" "4 times, on nodes 0-3"
+check "what is left over there" told "MPI: communicator not freed: "
 for workers in 1 2 4; do
     run_results -w $workers -n 9 --mpi-checks left_over >fast
     run_results --engine reference -n 9 --mpi-checks left_over >reference
