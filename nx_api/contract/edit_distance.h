@@ -46,4 +46,17 @@ static inline bool edit_alike(const char *a, const char *b, size_t *distance)
         *distance = d;
     return alike;
 }
+
+/* The word that is most like `meant`, of those seen. Begin with {.meant = WORD}. */
+struct edit_nearest {
+    const char *meant, *best; /* best: NULL if none is alike */
+    size_t distance;          /* of best */
+};
+
+static inline void edit_see(struct edit_nearest *n, const char *word)
+{
+    size_t d;
+    if (edit_alike(n->meant, word, &d) && (!n->best || d < n->distance))
+        n->best = word, n->distance = d;
+}
 #endif

@@ -63,12 +63,11 @@ enum { OPTION_COUNT = sizeof OPTIONS / sizeof *OPTIONS };
 
 const char *help_nearest(const char *option)
 {
-    const char *best = NULL;
-    size_t least = EDIT_LONGEST, d;
+    struct edit_nearest n = {.meant = option + 2};
     for (const struct own_option *o = OPTIONS; o < OPTIONS + OPTION_COUNT; o++)
-        if (!strncmp(o->names, "--", 2) && edit_alike(option + 2, o->names + 2, &d) && d < least)
-            best = o->names, least = d;
-    return best;
+        if (!strncmp(o->names, "--", 2))
+            edit_see(&n, o->names + 2);
+    return n.best ? n.best - 2 : NULL;
 }
 
 static const char MORE[] =

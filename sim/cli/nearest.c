@@ -6,15 +6,6 @@
 #include "kernel/xalloc.h"
 #include "nx_api/contract/edit_distance.h"
 
-/* --- words ---------------------------------------------------------------------------------------------- */
-
-void cli_nearest_see(struct cli_nearest *n, const char *word)
-{
-    size_t d;
-    if (edit_alike(n->meant, word, &d) && (!n->best || d < n->distance))
-        n->best = word, n->distance = d;
-}
-
 /* --- options -------------------------------------------------------------------------------------------- */
 
 static bool is_end(const struct argp_option *o)
@@ -39,13 +30,13 @@ static bool each_option(const struct argp *command, visitor *visit, void *to)
 static bool see_command(void *to, const struct argp_option *o)
 {
     if (o->name && (o->flags & OPTION_DOC))
-        cli_nearest_see(to, o->name);
+        edit_see(to, o->name);
     return false;
 }
 
 void cli_no_such_command(struct argp_state *state, const char *prefix, const char *name)
 {
-    struct cli_nearest n = {.meant = name};
+    struct edit_nearest n = {.meant = name};
     each_option(state->root_argp, see_command, &n);
     if (n.best)
         argp_error(state, "there is no command '%s%s'; did you mean '%s%s'?", prefix, name, prefix, n.best);
@@ -56,7 +47,7 @@ void cli_no_such_command(struct argp_state *state, const char *prefix, const cha
 static bool see_option(void *to, const struct argp_option *o)
 {
     if (o->name && !(o->flags & (OPTION_DOC | OPTION_HIDDEN)))
-        cli_nearest_see(to, o->name);
+        edit_see(to, o->name);
     return false;
 }
 
@@ -99,7 +90,7 @@ static bool has_word_in_help(void *to, const struct argp_option *o)
 
 static void refuse(struct argp_state *state, const char *name)
 {
-    struct cli_nearest n = {.meant = name};
+    struct edit_nearest n = {.meant = name};
     struct in_help h = {.word = name};
     each_option(state->root_argp, see_option, &n);
     if (!n.best && strlen(name) >= 4)

@@ -4,13 +4,6 @@
 #include <argp.h>
 #include <stddef.h>
 
-/* The word that is most like `meant`, of those seen. Begin with {.meant = WORD}. */
-struct cli_nearest {
-    const char *meant, *best; /* best: NULL if none is alike */
-    size_t distance;          /* of best */
-};
-void cli_nearest_see(struct cli_nearest *n, const char *word);
-
 /* Ends the process, as argp_error() does: there is no such command. prefix: "" or "trace ". Names the command
  * that may have been meant: of the words that the help shows (OPTION_DOC). */
 void cli_no_such_command(struct argp_state *state, const char *prefix, const char *name);

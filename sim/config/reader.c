@@ -263,12 +263,10 @@ bool cfg_time(struct cfg_reader *r, config_setting_t *in, const char *key, const
 
 const char *cfg_meant(const char *name, const char *const words[])
 {
-    const char *best = NULL;
-    size_t distance, least = SIZE_MAX;
+    struct edit_nearest n = {.meant = name};
     for (size_t k = 0; words[k]; k++)
-        if (edit_alike(name, words[k], &distance) && distance < least)
-            best = words[k], least = distance;
-    return best;
+        edit_see(&n, words[k]);
+    return n.best;
 }
 
 bool cfg_only(struct cfg_reader *r, config_setting_t *in, const char *const keys[])

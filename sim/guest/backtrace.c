@@ -63,27 +63,25 @@ void backtrace_print(FILE *f, const struct node *n, const char *how, const uintp
     }
 }
 
-static bool is_of_mpi(const struct node *n, uintptr_t address)
+/* How many calls, the innermost first, are not the program's own: of `such` a library, or outside. */
+static int library_calls(const struct node *n, const uintptr_t *addresses, int count,
+                         bool (*such)(const struct node_image *img, size_t offset))
 {
-    return !backtrace_in_program(n, address) ||
-           node_image_in_mpi(n->guest.file, address - (uintptr_t)n->guest.program);
+    int i = 0;
+    while (i < count && (!backtrace_in_program(n, addresses[i]) ||
+                         such(n->guest.file, addresses[i] - (uintptr_t)n->guest.program)))
+        i++;
+    return i;
 }
 
 /* (How the libraries are made is no concern of the program's.) */
-static bool is_of_library(const struct node *n, uintptr_t address)
-{
-    return !backtrace_in_program(n, address) ||
-           node_image_in_library(n->guest.file, address - (uintptr_t)n->guest.program);
-}
-
 void backtrace_print_calls(FILE *f, const struct node *n, uintptr_t frame)
 {
     uintptr_t returns[MOST_CALLS];
-    int depth = backtrace_walk(n, frame, returns, MOST_CALLS), first = 0;
-    while (first < depth && is_of_library(n, returns[first] - 1))
-        first++;
+    int depth = backtrace_walk(n, frame, returns, MOST_CALLS);
     for (int i = 0; i < depth; i++)
         returns[i]--; /* into the call */
+    int first = library_calls(n, returns, depth, node_image_in_library);
     first = first < depth ? first : 0;
     backtrace_print(f, n, "called from", returns + first, depth - first);
 }
@@ -91,8 +89,8 @@ void backtrace_print_calls(FILE *f, const struct node *n, uintptr_t frame)
 const char *backtrace_mpi_call(const struct node *n, const uintptr_t *frames, int depth, int *outside)
 {
     const char *call = NULL;
-    int i = 0;
-    for (; i < depth && is_of_mpi(n, frames[i]); i++) {
+    *outside = library_calls(n, frames, depth, node_image_in_mpi);
+    for (int i = 0; i < *outside; i++) {
         const char *name =
             backtrace_in_program(n, frames[i])
                 ? node_image_function_name(n->guest.file, frames[i] - (uintptr_t)n->guest.program)
@@ -100,7 +98,6 @@ const char *backtrace_mpi_call(const struct node *n, const uintptr_t *frames, in
         if (name && strncmp(name, "PMPI_", 5) == 0)
             call = layer_called(name);
     }
-    *outside = i;
     return call;
 }
 

@@ -640,6 +640,20 @@ static void scales_can_be_given(void **state)
     drop(&t);
 }
 
+/* The space-time diagram's pixels of a colour. */
+static double space_time_pixels(const struct trace *t, bool densest, struct colour c)
+{
+    struct show s = {.trace = t, .rows = node_rows_make(t), .densest = densest};
+    struct drawing d = {display_find("space-time"), &s};
+    char path[] = "/tmp/test_show.XXXXXX", *error = NULL;
+    close(mkstemp(path));
+    assert_true(picture_write(path, PICTURE_PNG, d.display->height(&s), draw, &d, &error));
+    double pixels = pixels_of(path, c);
+    unlink(path);
+    node_rows_free(&s.rows);
+    return pixels;
+}
+
 /* 300 messages within 1 ms of a second's 600 were one line. */
 static void space_time_opens_where_messages_are_dense(void **state)
 {
@@ -653,17 +667,9 @@ static void space_time_opens_where_messages_are_dense(void **state)
         int32_t receive = made_call(&t, 1, "crecv", TRACE_RECEIVES, 1, sent, sent + VT_MICROSECOND);
         made_message(&t, send, receive, 1, 1, sent, sent, sent + 100, sent + VT_MICROSECOND);
     }
-    char path[] = "/tmp/test_show.XXXXXX", *error = NULL;
-    close(mkstemp(path));
-    for (int densest = 0; densest < 2; densest++) {
-        struct show s = {.trace = &t, .rows = node_rows_make(&t), .densest = densest};
-        struct drawing d = {display_find("space-time"), &s};
-        assert_true(picture_write(path, PICTURE_PNG, d.display->height(&s), draw, &d, &error));
-        black[densest] = pixels_of(path, COLOUR(0x222222));
-        node_rows_free(&s.rows);
-    }
+    for (int densest = 0; densest < 2; densest++)
+        black[densest] = space_time_pixels(&t, densest, COLOUR(0x222222));
     assert_true(black[1] > 2 * black[0]);
-    unlink(path);
     drop(&t);
 }
 
@@ -678,14 +684,8 @@ static void space_time_has_arrivals_of_messages_sent_at_once(void **state)
         int32_t receive = made_call(&t, 1 + i % 8, "crecv", TRACE_RECEIVES, 1, later, later + 10);
         made_message(&t, send, receive, 1, 1, sent, sent, sent + 100, sent + VT_MICROSECOND);
     }
-    struct show s = {.trace = &t, .rows = node_rows_make(&t), .densest = true};
-    struct drawing d = {display_find("space-time"), &s};
-    char path[] = "/tmp/test_show.XXXXXX", *error = NULL;
-    close(mkstemp(path));
-    assert_true(picture_write(path, PICTURE_PNG, d.display->height(&s), draw, &d, &error));
-    assert_true(pixels_of(path, COLOUR(0xd97706)) > 0.75 * (CANVAS_WIDTH - LEFT - 24) * CANVAS_PIXELS);
-    unlink(path);
-    node_rows_free(&s.rows);
+    assert_true(space_time_pixels(&t, true, COLOUR(0xd97706)) >
+                0.75 * (CANVAS_WIDTH - LEFT - 24) * CANVAS_PIXELS);
     drop(&t);
 }
 
@@ -697,14 +697,8 @@ static void a_long_message_crosses_a_short_interval(void **state)
     int32_t receive = made_call(&t, 1, "crecv", TRACE_RECEIVES, 1, 0, VT_SECOND);
     made_message(&t, send, receive, 1, 1, 10, 10, VT_SECOND - 1, VT_SECOND);
     t.from = VT_SECOND / 2, t.to = t.from + 100;
-    struct show s = {.trace = &t, .rows = node_rows_make(&t)};
-    struct drawing d = {display_find("space-time"), &s};
-    char path[] = "/tmp/test_show.XXXXXX", *error = NULL;
-    close(mkstemp(path));
-    assert_true(picture_write(path, PICTURE_PNG, d.display->height(&s), draw, &d, &error));
-    assert_true(pixels_of(path, COLOUR(0x222222)) > 0.9 * (CANVAS_WIDTH - LEFT - 24) * CANVAS_PIXELS);
-    unlink(path);
-    node_rows_free(&s.rows);
+    assert_true(space_time_pixels(&t, false, COLOUR(0x222222)) >
+                0.9 * (CANVAS_WIDTH - LEFT - 24) * CANVAS_PIXELS);
     drop(&t);
 }
 

@@ -96,7 +96,7 @@ static void a_baseline_of_a_value(void **state)
     record_free(&r);
 }
 
-/* It was ", assumed ideal". */
+/* The baseline was ", assumed ideal". */
 static void one_point_has_no_baseline(void **state)
 {
     (void)state;

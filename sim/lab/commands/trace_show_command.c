@@ -5,7 +5,6 @@
 #include <unistd.h>
 #include "lab/commands/lab_commands.h"
 #include "lab/commands/trace_warning.h"
-#include "cli/nearest.h"
 #include "cli/say.h"
 #include "cli/trace_options.h"
 #include "files/folder_make.h"
@@ -14,6 +13,7 @@
 #include "lab/show/channel_film.h"
 #include "lab/show/displays.h"
 #include "lab/draw/picture_file.h"
+#include "nx_api/contract/edit_distance.h"
 
 enum { BY = CLI_KEY, MESSAGES, SCALE, FRAMES, SVG, THAN };
 enum { DEFAULT_FRAMES = 60, MOST_FRAMES = 1000, MOST_LINES = 1000000 };
@@ -84,9 +84,9 @@ static void add_display(struct arguments *a, const struct display *d)
 
 static void no_such_display(struct argp_state *state, const char *name)
 {
-    struct cli_nearest n = {.meant = name};
+    struct edit_nearest n = {.meant = name};
     for (const struct display *d = DISPLAYS; d->name; d++)
-        cli_nearest_see(&n, d->name);
+        edit_see(&n, d->name);
     if (n.best)
         argp_error(state, "there is no display '%s'; did you mean '%s'?", name, n.best);
     else

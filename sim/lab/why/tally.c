@@ -54,3 +54,14 @@ void tally_free(struct tally *t)
     free(t->rows);
     *t = (struct tally){0};
 }
+
+int tally_longest(const vtime *times, int count, bool *told)
+{
+    int longest = -1;
+    for (int i = 0; i < count; i++)
+        if (!told[i] && times[i] && (longest < 0 || times[i] > times[longest]))
+            longest = i;
+    if (longest >= 0)
+        told[longest] = true;
+    return longest;
+}

@@ -51,18 +51,6 @@ static void more(size_t shown, size_t count, FILE *f)
         fprintf(f, "  ... and %zu more: --top %zu shows them\n", count - shown, count);
 }
 
-/* The largest part that was not said yet; -1 after the last. */
-static int largest_unsaid(const vtime *parts, int count, bool *said)
-{
-    int most = -1;
-    for (int i = 0; i < count; i++)
-        if (!said[i] && parts[i] && (most < 0 || parts[i] > parts[most]))
-            most = i;
-    if (most >= 0)
-        said[most] = true;
-    return most;
-}
-
 /* --- the path --- */
 
 /* A part of the path, and what would be without. */
@@ -85,7 +73,7 @@ static void classes(struct why *w, FILE *f)
     fprintf(f, "%s%-30s %12s %7s %22s %15s%s\n", ink.bold, title, u.name, "%", "if it took no time",
             "times faster", ink.off);
     free(title);
-    for (int most; (most = largest_unsaid(w->by_class, WHY_CLASSES, said)) >= 0;) {
+    for (int most; (most = tally_longest(w->by_class, WHY_CLASSES, said)) >= 0;) {
         class_row(w, why_class_name((enum why_class)most), w->by_class[most], f);
         if (most == WHY_HANDLERS && w->entering)
             class_row(w, "  of it into and out of them", w->entering, f);
@@ -129,7 +117,7 @@ static void causes(struct why *w, FILE *f)
     fprintf(f, "\n%sWaits of %s nodes, by cause %*s %7s%s\n", ink.bold, w->some_nodes ? "some" : "all",
             w->some_nodes ? 10 : 11, u.name, "%", ink.off);
     bool said[WAIT_CAUSES] = {false};
-    for (int most; (most = largest_unsaid(w->causes.by_cause, WAIT_CAUSES, said)) >= 0;)
+    for (int most; (most = tally_longest(w->causes.by_cause, WAIT_CAUSES, said)) >= 0;)
         fprintf(f, "  %-24s %13s %7.2f\n", wait_cause_name((enum wait_cause)most),
                 why_number(u, w->causes.by_cause[most]).text,
                 100 * (double)w->causes.by_cause[most] / (double)w->causes.idle);

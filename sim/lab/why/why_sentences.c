@@ -154,7 +154,8 @@ static void say_handlers(struct why *w, const struct part *p, const char *before
     fprintf(f, "; entering and leaving them took %s of it.", why_time(u, entering_on(w, p->node)).text);
 }
 
-/* Of one node's part of the path, the first sentence says that its times are those of that part. */
+/* The sentence about a class; the first one about one node's part of the path says that the times are of that
+ * part. */
 static void say_class(struct why *w, const struct part *p, enum why_class class, bool first, FILE *f)
 {
     static const char *const WORDS[WHY_CLASSES] = {
@@ -187,14 +188,10 @@ static void say_classes(struct why *w, const struct part *p, FILE *f)
 {
     bool said[WHY_CLASSES] = {false};
     for (int n = 0; n < WHY_CLASSES; n++) {
-        int most = -1;
-        for (int i = 0; i < WHY_CLASSES; i++)
-            if (!said[i] && worth_a_word(p->of[i], p->time) && (most < 0 || p->of[i] > p->of[most]))
-                most = i;
-        if (most < 0)
+        int most = tally_longest(p->of, WHY_CLASSES, said);
+        if (most < 0 || !worth_a_word(p->of[most], p->time))
             break;
         say_class(w, p, (enum why_class)most, n == 0, f);
-        said[most] = true;
     }
 }
 
@@ -384,16 +381,11 @@ static void waiting(struct why *w, FILE *f)
 static void what_if(struct why *w, FILE *f)
 {
     struct why_unit u = why_unit_for(w->length);
-    bool said[WHY_CLASSES] = {false};
+    bool said[WHY_CLASSES] = {[WHY_ABSENT] = true, [WHY_WAITING] = true};
     for (int n = 0; n < 3; n++) {
-        int most = -1;
-        for (int i = 0; i < WHY_CLASSES; i++)
-            if (!said[i] && i != WHY_ABSENT && i != WHY_WAITING && worth_a_word(w->by_class[i], w->length) &&
-                (most < 0 || w->by_class[i] > w->by_class[most]))
-                most = i;
-        if (most < 0)
+        int most = tally_longest(w->by_class, WHY_CLASSES, said);
+        if (most < 0 || !worth_a_word(w->by_class[most], w->length))
             return;
-        said[most] = true;
         vtime left = w->length - w->by_class[most];
         if (!left)
             return; /* the sentence about causes says that there is no other */
