@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
+#include "kernel/xalloc.h"
 
 /* Not exit(), as in xexhausted(): its handlers must not run on a fiber or beside running threads. */
 static void check(int result, const char *key)
@@ -33,4 +34,22 @@ json_t *json_real_or_null(double x)
 json_t *json_string_or_null(const char *text)
 {
     return text ? json_string(text) : json_null();
+}
+
+char *json_keys_text(const json_t *object, const json_t *without)
+{
+    const char *key, *before = "";
+    json_t *value;
+    char *text;
+    size_t size;
+    FILE *f = xchecked(open_memstream(&text, &size));
+    json_object_foreach((json_t *)object, key, value)
+    {
+        if (json_object_get(without, key))
+            continue;
+        fprintf(f, "%s%s", before, key);
+        before = ", ";
+    }
+    fclose(f);
+    return text;
 }

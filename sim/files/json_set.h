@@ -1,6 +1,6 @@
-/* json_set.h - members of JSON objects. Where one cannot be set, the function does not return: it writes to
- * standard error which it is and ends the process with status 1. jansson fails for want of memory, and for a
- * text that is not UTF-8. */
+/* json_set.h - members of JSON objects, and their names. Where one cannot be set, the function does not
+ * return: it writes to standard error which it is and ends the process with status 1. jansson fails for want
+ * of memory, and for a text that is not UTF-8. */
 #ifndef FILES_JSON_SET_H
 #define FILES_JSON_SET_H
 #include <jansson.h>
@@ -13,4 +13,7 @@ void json_append(json_t *list, json_t *value);
 /* Null for what JSON has no number for (NAN, infinities); for NULL. */
 json_t *json_real_or_null(double x);
 json_t *json_string_or_null(const char *text);
+
+/* An object's keys, but for those that `without` (NULL: none) has: "idle_s, messages, total_s", malloc'd. */
+char *json_keys_text(const json_t *object, const json_t *without);
 #endif

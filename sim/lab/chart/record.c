@@ -192,26 +192,12 @@ void record_free(struct record_points *points)
     json_decref(points->header);
 }
 
-/* The text, and behind it the names, but for those that `without` has. */
-static char *with_names(char *text, const json_t *names, const json_t *without)
-{
-    const char *name, *comma = "";
-    json_t *value;
-    json_object_foreach((json_t *)names, name, value)
-    {
-        if (json_object_get(without, name))
-            continue;
-        char *longer = xasprintf("%s%s%s", text, comma, name);
-        free(text);
-        text = longer;
-        comma = ", ";
-    }
-    return text;
-}
-
 char *record_no_axis(const json_t *axes, const char *name)
 {
-    return with_names(xasprintf("there is no axis %s; there are: ", name), axes, NULL);
+    char *names = json_keys_text(axes, NULL),
+         *text = xasprintf("there is no axis %s; there are: %s", name, names);
+    free(names);
+    return text;
 }
 
 static bool add_figures(void *arg, const json_t *point, char **error)
@@ -230,9 +216,11 @@ static bool add_figures(void *arg, const json_t *point, char **error)
 char *record_no_figure(const struct record_points *points, const char *name)
 {
     json_t *figures = json_object();
-    char *error = NULL, *text = xasprintf("no point has a figure %s; there are: ", name);
+    char *error = NULL, *names = NULL;
     if (points->each(points->arg, add_figures, figures, &error))
-        text = with_names(text, figures, json_object_get(points->header, "axes"));
+        names = json_keys_text(figures, json_object_get(points->header, "axes"));
+    char *text = xasprintf("no point has a figure %s; there are: %s", name, names ? names : "");
+    free(names);
     free(error);
     json_decref(figures);
     return text;

@@ -262,30 +262,13 @@ static size_t failures(const struct gate *g, enum compare_verdict from)
     return count;
 }
 
-/* "idle_s, messages, total_s", malloc'd. */
-static char *names_of(json_t *object)
-{
-    const char *name, *before = "";
-    json_t *value;
-    char *text;
-    size_t size;
-    FILE *f = xchecked(open_memstream(&text, &size));
-    json_object_foreach(object, name, value)
-    {
-        fprintf(f, "%s%s", before, name);
-        before = ", ";
-    }
-    fclose(f);
-    return text;
-}
-
 /* A figure that no point has is a mistake. */
 static bool check_rules(const struct gate *g, char **error)
 {
     const char *unused = compare_rules_unused(&g->options->rules, g->figures);
     if (!unused)
         return true;
-    char *figures = names_of(g->figures);
+    char *figures = json_keys_text(g->figures, NULL);
     *error = xasprintf("%s %s: no point has a figure of that name; there are %s",
                        unused == g->options->rules.only ? "--only" : "--tolerance", unused, figures);
     free(figures);
