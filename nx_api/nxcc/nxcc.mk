@@ -125,8 +125,8 @@ $(eval $(call NODE_CODE,profile/,--profile))
 $(eval $(call NODE_CODE,long32/,--long32))
 $(eval $(call NODE_CODE,long32_profile/,--long32 --profile))
 
-# A simulated cache is not counted, nor is the telling of accesses, nor the shadow of memory.
-RUNTIMES := $(patsubst %,$(NODE)/obj/%_runtime.o,cache race asan)
+# A simulated cache is not counted, nor is the telling of accesses, the shadow of memory, or what comes before a run.
+RUNTIMES := $(patsubst %,$(NODE)/obj/%_runtime.o,cache race asan shell)
 $(RUNTIMES): $(NODE)/obj/%_runtime.o: nx_api/nxcc/runtime/%_runtime.c nx_api/nxcc/runtime/enter.h nx_api/contract/program_image.h nx_api/contract/races.h nx_api/contract/asan.h
 	@mkdir -p $(@D)
 	$(call say,CC,$<)

@@ -3,10 +3,20 @@
 . "$(dirname "$0")/common.bash"
 compile ring
 
-./ring >out 2>err
+PATH=/nonexistent ./ring >out 2>err
 status=$?
-check "a shell cannot start it: status" ended_with 126
+check "a shell cannot start it without touchstone: status" ended_with 126
 check "a shell cannot start it: message" said 'for simulated nodes: run it with touchstone run PROGRAM'
+PATH=/nonexistent:$BUILD ./ring >out 2>err
+status=$?
+check "a shell starts it on one node" cmp out <("$BUILD/touchstone" run -q -n 1 ./ring)
+check "a shell starts it: message" said 'on one now; on more by touchstone run -n N PROGRAM'
+check "a shell starts it: status" ended_with 0
+check "it is in PATH itself" cmp out <(PATH=.:$BUILD ring 2>err)
+check "TOUCHSTONE_RUN has its options" cmp <(TOUCHSTONE_RUN=' -q  -n 4' PATH=$BUILD ./ring) <("$BUILD/touchstone" run -q -n 4 ./ring)
+PMI_SIZE=4 PATH=$BUILD ./ring >out 2>err
+status=$?
+check "mpirun cannot start it" ended_with 126
 
 "$BUILD/touchstone" --help >out 2>err
 check "--help lists the commands" grep -q '^  tables  ' out

@@ -184,26 +184,14 @@ __asm__(".text\n"
         ".size nxc_find_path, .-nxc_find_path\n");
 
 #ifndef NXC_HOSTED
-/* Runs when somebody starts the program in a shell. Nothing has been relocated, so that the code may use only
- * what it addresses relative to the instruction pointer. */
+/* Runs when somebody starts the program in a shell (shell_runtime.c). */
 __asm__(".text\n"
         ".globl _start\n"
         ".hidden _start\n"
         ".type _start, @function\n"
         "_start:\n"
-        "    movl $1, %eax\n" /* write(2, text, length) */
-        "    movl $2, %edi\n"
-        "    leaq 1f(%rip), %rsi\n"
-        "    movl $(2f - 1f), %edx\n"
-        "    syscall\n"
-        "    movl $231, %eax\n" /* exit_group(126) */
-        "    movl $126, %edi\n"
-        "    syscall\n"
-        "    hlt\n"
-        ".size _start, .-_start\n"
-        ".section .rodata\n"
-        "1:  .ascii \"a program for simulated nodes: run it with touchstone run PROGRAM,\"\n"
-        "    .ascii \" not from a shell or by mpirun\\n\"\n"
-        "2:\n"
-        ".text\n");
+        "    movq %rsp, %rdi\n"
+        "    andq $-16, %rsp\n"
+        "    call nxc_from_shell\n"
+        ".size _start, .-_start\n");
 #endif
