@@ -1,6 +1,7 @@
 """check_page.py PAGE MANY TWO FOLDER - tries a page in a browser: prints "ok RULE" or "not ok RULE", as tests/run reads it.
 
-PAGE shows what tests/e2e/page.sh made, MANY a trace of 100,000 intervals, TWO that and another. FOLDER has the files that the page was made of."""
+PAGE shows what tests/e2e/page.sh made, MANY a trace of 100,000 intervals, TWO that and another, and two
+studies of one title. FOLDER has the files that the page was made of."""
 import json
 import re
 import sys
@@ -445,11 +446,19 @@ def check_together(b):
     rule("two timelines: switched on again, it follows at once", views()[0] == views()[1], views())
 
 
+def check_names(b):
+    links = b.run("return [...document.querySelectorAll('nav a')].map(a => a.textContent)")
+    rule("two studies of one title are told apart in the navigation", [l for l in links if l.startswith("Study")] == [
+        "Study: Halves (study)", "Study: Halves (twin)"], links)
+    rule("what no other is called has a short name there", "Timeline: run.trace" in links, links)
+
+
 browser = Browser()
 try:
     browser.open(page)
     for check in (check_tables, check_study, check_run, check_timeline, check_trace_rest, check_surfaces, check_keyboard,
-                  check_widths, check_markup, check_colours, check_speed, check_together):
+                  check_widths, check_markup, check_colours, check_speed, check_together,
+                  check_names):
         try:
             check(browser)
         except Exception as problem:  # what is not there is a rule that does not hold
