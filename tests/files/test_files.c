@@ -311,13 +311,19 @@ static void durations_have_four_digits(void **state)
     (void)state;
     assert_string_equal(duration_text(0).text, "0 s");
     assert_string_equal(duration_text(6612.719e-6).text, "6.613 ms");
-    assert_string_equal(duration_text(-0.0301).text, "-30.1 ms");
-    assert_string_equal(duration_text(0.99996).text, "1 s");
+    assert_string_equal(duration_text(-0.0301).text, "-30.10 ms");
+    assert_string_equal(duration_text(0.99996).text, "1.000 s");
     assert_string_equal(duration_text(0.9999).text, "999.9 ms");
     assert_string_equal(duration_text(124.2e-6).text, "124.2 us");
     assert_string_equal(duration_text(107.224).text, "107.2 s");
+    assert_string_equal(duration_text(73.1).text, "73.10 s"); /* beside 91.19 s, in a column */
+    assert_string_equal(duration_text(9.99949).text, "9.999 s");
+    assert_string_equal(duration_text(9.9995).text, "10.00 s");
+    assert_string_equal(duration_text(999.96).text, "1000 s");
     assert_string_equal(duration_text(12345.6).text, "12346 s");
     assert_string_equal(duration_text(1e6).text, "1000000 s");
+    assert_string_equal(limit_text(30).text, "30 s");
+    assert_string_equal(limit_text(0.0015).text, "1.5 ms");
 }
 
 int main(void)
