@@ -121,11 +121,22 @@ ask cubeinfo
 check "and has no cubes" grep -q '0 of 10 cubes' out
 ask getcube
 check "getcube without a type: all nodes" grep -qx 'default: nodes 0 to 127 of ipsc860' out
+check "its log tells what happened" grep -qE 'gets default: nodes 0 to 127' srm.log
 service=$(cat srm.lock)
 kill "$service"
 check "SIGTERM ends it" gone "$service"
-check "and removes its socket" awaited test ! -e srm
-check "its log tells what happened" grep -qE 'gets default: nodes 0 to 127' srm.log
+check "and removes its socket, lock and log" awaited eval "! compgen -G \"srm*\""
+
+usual=/tmp/touchstone-$(id -u)
+if [ -e "$usual" ]; then
+    echo "skip where a service is usually: there is one"
+else
+    env -u TOUCHSTONE_SRM -u XDG_RUNTIME_DIR "$BUILD/touchstone" srm -d 2>err
+    service=$(cat "$usual/srm.lock")
+    check "in /tmp, there is a log" test -s "$usual/srm.log"
+    kill "$service"
+    check "and nothing when the service has ended" eval 'gone "$service" && awaited test ! -e "$usual"'
+fi
 
 start -m delta --log delta.log
 ask getcube -t 2x8
