@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <math.h>
 #include <setjmp.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -82,6 +83,32 @@ static void a_result_is_there_whole_or_not_at_all(void **state)
     atomic_file_drop(&f);
     check_text("r", "new");
     assert_int_equal(system("test $(ls | wc -l) = 1"), 0);
+}
+
+/* Of a file that a killed process was writing something is left; of one that is being written, too. */
+static void only_what_nobody_writes_is_left_over(void **state)
+{
+    struct atomic_file f;
+    char *error = NULL;
+    int status;
+    (void)state;
+    pid_t child = fork();
+    if (child == 0) {
+        atomic_file_begin(&f, "r", &error);
+        raise(SIGKILL);
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_int_equal(system("ls | grep -q '^r\\.unfinished-......$'"), 0);
+    put("r.backup", "own");
+    put("r.unfinished-reading", "own");
+    put("other.unfinished-abcdef", "own");
+    assert_true(atomic_file_begin(&f, "r", &error));
+    atomic_file_remove_left("r");
+    assert_int_equal(system("test $(ls | wc -l) = 4"), 0); /* the one being written, and three of others */
+    fputs("new", f.out);
+    assert_true(atomic_file_end(&f, &error));
+    check_text("r", "new");
+    assert_int_equal(system("test $(ls | wc -l) = 4"), 0);
 }
 
 static void a_link_stays_and_its_target_is_written(void **state)
@@ -330,6 +357,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(a_result_is_there_whole_or_not_at_all),
+        TEST(only_what_nobody_writes_is_left_over),
         TEST(a_link_stays_and_its_target_is_written),
         TEST(a_pipe_gets_what_is_written),
         TEST(what_could_not_be_written_is_an_error),
