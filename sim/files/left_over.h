@@ -1,5 +1,5 @@
-/* left_over.h - files and folders that killed processes leave. A process keeps what it makes under a temporary
- * name locked (flock) for as long as it lives; what is there, unlocked, is left over. */
+/* left_over.h - files and folders that killed processes leave. A process keeps what it makes under a
+ * temporary name locked (flock) for as long as it lives; what is there, unlocked, is left over. */
 #ifndef FILES_LEFT_OVER_H
 #define FILES_LEFT_OVER_H
 #include <stdbool.h>
