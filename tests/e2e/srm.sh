@@ -37,6 +37,11 @@ ask getcube -t 16
 check "getcube" grep -qx 'default: nodes 0 to 15 of ipsc860' out
 ask getcube -t d6 -c large
 check "getcube by dimension" grep -qx 'large: nodes 64 to 127 of ipsc860' out
+ask cubeinfo --json -
+check "cubeinfo as JSON" test "$(jq -c '[.machine, .free, (.cubes[] | .name, .attached, .type, .nodes, .column, .program)]' out)" = \
+    '["ipsc860",48,"default",false,"16",16,0,null,"large",true,"d6",64,64,null]'
+ask cubeinfo --json none/cubes.json
+check "a file that cannot be written is named" eval 'ended_with 1 && said "^cubeinfo: none/cubes.json cannot be written"'
 ask getcube -t 64 -c more
 check "nodes that are not free: exit status 1" ended_with 1
 check "nodes that are not free: how many are" said '64 nodes are asked for; 48 of 128 are free, the largest cube of them 32'
