@@ -22,13 +22,15 @@ struct object {
 
 /* --- stacks --- */
 
-static void print_call(FILE *f, const struct node *n, const char *how, size_t offset)
+static bool print_call(FILE *f, const struct node *n, const char *how, uintptr_t address)
 {
     char line[200];
+    size_t offset = address - (uintptr_t)n->guest.program;
     const char *name = node_image_function_name(n->guest.file, offset);
     fprintf(f, "\n    %s %s", how, name ? name : "the program");
     if (node_image_line(n->guest.file, offset, line, sizeof line))
         fprintf(f, " (%s)", line);
+    return true;
 }
 
 bool asan_is_of_nxcc(const struct node *n, size_t returns)
@@ -37,15 +39,22 @@ bool asan_is_of_nxcc(const struct node *n, size_t returns)
     return name && strncmp(name, "nxc_", 4) == 0;
 }
 
+/* Prints the calls of a stack from `first` on that are the program's own, not of the libraries or of nxcc. */
+static void print_calls(FILE *f, const struct node *n, const char *how, const struct asan_stack *s,
+                        uint32_t first)
+{
+    uintptr_t own[ASAN_DEEPEST];
+    int count = 0;
+    for (uint32_t i = first; i < s->depth; i++)
+        if (!asan_is_of_nxcc(n, s->returns[i]) && !node_image_in_library(n->guest.file, s->returns[i] - 1))
+            own[count++] = (uintptr_t)n->guest.program + s->returns[i] - 1;
+    backtrace_print_as(print_call, f, n, how, own, count);
+}
+
 static void print_stack(FILE *f, const struct node *n, const struct asan_stack *s)
 {
-    bool any = false;
-    for (uint32_t i = 0; s && i < s->depth; i++) {
-        if (asan_is_of_nxcc(n, s->returns[i]) || node_image_in_mpi(n->guest.file, s->returns[i] - 1))
-            continue;
-        print_call(f, n, any ? "called from" : "in", s->returns[i] - 1);
-        any = true;
-    }
+    if (s)
+        print_calls(f, n, "in", s, 0);
 }
 
 /* The site's own function is on the stack behind what nxcc adds to programs; GCC may have inlined it. */
@@ -57,8 +66,7 @@ static void print_site(FILE *f, const struct node *n, const struct nxc_race_site
             basename(nxc_race_text(site, site->file)), site->line);
     while (i < s->depth && asan_is_of_nxcc(n, s->returns[i]))
         i++;
-    for (i++; i < s->depth; i++)
-        print_call(f, n, "called from", s->returns[i] - 1);
+    print_calls(f, n, "called from", s, i + 1);
 }
 
 static void print_access(FILE *f, struct node *n, const struct asan_access *a)

@@ -7,6 +7,7 @@
 #include <unistd.h>
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "files/atomic_file.h"
 #include "kernel/xalloc.h"
 #include "srm/client.h"
 #include "srm/socket.h"
@@ -16,7 +17,7 @@ enum { EXIT_NO_SERVICE = 69 };
 enum { HOST = CLI_KEY };
 
 struct arguments {
-    const char *socket, *cube, *type;
+    const char *socket, *cube, *type, *json;
     char **words; /* load: options of touchstone run, then the program and its arguments */
     int word_count;
     bool has_host;
@@ -51,6 +52,9 @@ static const struct argp_option LOAD_OPTIONS[] = {
     {"host", HOST, "HOST", 0, "Run HOST as touchstone run --host does", 1},
     {0}};
 
+static const struct argp_option INFO_OPTIONS[] = {
+    {"json", CLI_TEXT(arguments, json), "FILE", 0, "Write JSON instead; '-' is standard output", 1}, {0}};
+
 static void add_word(struct arguments *a, const char *word)
 {
     a->words[a->word_count++] = (char *)(uintptr_t)word;
@@ -84,6 +88,17 @@ static error_t parse_one(int key, char *arg, struct argp_state *state)
     return 0;
 }
 
+static error_t parse_info(int key, char *arg, struct argp_state *state)
+{
+    struct arguments *a = state->input;
+    error_t error = parse_one(key, arg, state);
+    if (error != ARGP_ERR_UNKNOWN)
+        return error;
+    if (key == ARGP_KEY_END && a->json)
+        add_word(a, "json");
+    return cli_store(key, arg, state);
+}
+
 static error_t parse_load(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
@@ -105,7 +120,7 @@ const struct cli_cube_command CLI_CUBE_COMMANDS[] = {
     {"waitcube", "Wait for a program, and show its output", NULL, parse_one, NULL},
     {"killcube", "End a cube's program", NULL, parse_one, NULL},
     {"relcube", "Give a cube's nodes back", NULL, parse_one, NULL},
-    {"cubeinfo", "Show who has which nodes, and what runs", NULL, parse_one, NULL},
+    {"cubeinfo", "Show who has which nodes, and what runs", INFO_OPTIONS, parse_info, NULL},
     {"attachcube", "Make a cube the default of this terminal", NULL, parse_one, NULL},
     {0}};
 
@@ -116,7 +131,7 @@ static const char DOC[] =
     "program ends; relcube ends the program.\n\n"
     "Exit status:\n"
     "  0   done; waitcube: the status is the program's\n"
-    "  1   refused, with the reason\n"
+    "  1   refused, with the reason; or FILE cannot be written\n"
     "  64  wrong arguments\n"
     "  69  no service answers\n\n"
     "Example:\n"
@@ -130,7 +145,14 @@ const struct cli_cube_command *cli_cube_command(const char *name)
     return NULL;
 }
 
-static int ask(const char *command, const struct arguments *a)
+static int failed(const char *command, char *error, int status)
+{
+    fprintf(stderr, "%s: %s\n", command, error);
+    free(error);
+    return status;
+}
+
+static int ask(const char *command, const struct arguments *a, FILE *out)
 {
     char path[SOCKET_PATH], folder[4096], session[16];
     char *error = socket_path(a->socket, false, path);
@@ -140,12 +162,24 @@ static int ask(const char *command, const struct arguments *a)
     if (!error && !getcwd(folder, sizeof folder))
         error = xasprintf("the current folder: %m");
     if (!error)
-        status = client_ask(path, &r, &error);
-    if (status >= 0)
-        return status;
-    fprintf(stderr, "%s: %s\n", command, error);
-    free(error);
-    return EXIT_NO_SERVICE;
+        status = client_ask(path, &r, out, &error);
+    return status >= 0 ? status : failed(command, error, EXIT_NO_SERVICE);
+}
+
+/* Asks for what is to be a file. */
+static int ask_for_file(const char *command, const struct arguments *a)
+{
+    struct atomic_file f;
+    char *error = NULL;
+    int status = 1;
+    if (atomic_file_begin(&f, a->json, &error)) {
+        status = ask(command, a, f.out);
+        if (status)
+            atomic_file_drop(&f);
+        else
+            atomic_file_end(&f, &error);
+    }
+    return error ? failed(command, error, 1) : status;
 }
 
 int cli_cube(int argc, char **argv)
@@ -155,7 +189,7 @@ int cli_cube(int argc, char **argv)
     char *name = xasprintf("touchstone %s", c->name), *doc = xasprintf("%s.\v%s", c->what, DOC);
     const struct argp argp = {c->options, c->parse, c->arguments, doc, CHILDREN, NULL, NULL};
     cli_parse(&argp, name, ARGP_IN_ORDER, argc, argv, &a);
-    int status = ask(c->name, &a);
+    int status = a.json ? ask_for_file(c->name, &a) : ask(c->name, &a, stdout);
     free(name);
     free(doc);
     free(a.words);

@@ -5,8 +5,10 @@
 static char *begin(struct atomic_file *f, const char *path)
 {
     char *error = NULL;
-    if (path)
-        atomic_file_begin(f, path, &error);
+    if (!path)
+        return NULL;
+    atomic_file_remove_left(path);
+    atomic_file_begin(f, path, &error);
     return error;
 }
 

@@ -34,7 +34,8 @@ static const char DOC[] =
     "of a machine, by default ipsc860, as cubes, at most ten at once, and runs programs on them. Users ask "
     "the service by getcube, load, waitcube, killcube, relcube, cubeinfo and attachcube (see touchstone "
     "getcube --help).\v"
-    "Files: the socket PATH, for as long as the service runs, and with -d, PATH.log.\n\n"
+    "Files: the socket PATH and, with -d, PATH.log, both for as long as the service runs; --log FILE "
+    "stays.\n\n"
     "SIGTERM and SIGINT end the service, and the programs on its cubes.\n\n"
     "Exit status:\n"
     "  0   the service ended, or is in the background\n"
@@ -117,6 +118,8 @@ static int serve(const struct arguments *a, const struct cfg_machine *cfg, const
     else
         socket_owner(lock);
     service_run(&(struct service_options){cfg, machine, self, fd, log});
+    if (log_name && !a->log)
+        unlink(log_path);
     socket_remove(path);
     close(lock);
     if (log != stderr)

@@ -1,15 +1,21 @@
 /* atomic_file.c - see atomic_file.h. */
 #include "files/atomic_file.h"
+#include "files/left_over.h"
 #include "kernel/xalloc.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#define UNFINISHED ".unfinished-" /* and six letters that are random */
+
 static void forget(struct atomic_file *f)
 {
+    if (f->lock >= 0)
+        close(f->lock);
     free(f->path);
     free(f->unfinished);
 }
@@ -31,20 +37,50 @@ static bool is_written_through(const char *path)
 }
 
 /* The name is random, not made of the process id: processes of several computers may share the folder. */
+static int make_unfinished(struct atomic_file *f)
+{
+    for (;;) {
+        f->unfinished = xasprintf("%s" UNFINISHED "XXXXXX", f->path);
+        int fd = mkostemp(f->unfinished, O_CLOEXEC);
+        if (fd < 0 || flock(fd, LOCK_EX) != 0 || left_over_is_there(f->unfinished, fd))
+            return fd;
+        close(fd); /* taken for a dead process's before it was locked */
+        free(f->unfinished);
+    }
+}
+
+/* (The lock lasts until the file has its name.) */
 static FILE *begin_unfinished(struct atomic_file *f)
 {
-    f->unfinished = xasprintf("%s.XXXXXX", f->path);
     mode_t without = umask(0);
     umask(without);
-    int fd = mkostemp(f->unfinished, O_CLOEXEC);
-    if (fd >= 0)
-        fchmod(fd, 0666 & ~without);
-    return fd >= 0 ? fdopen(fd, "w") : NULL;
+    int fd = make_unfinished(f);
+    if (fd < 0)
+        return NULL;
+    fchmod(fd, 0666 & ~without);
+    f->lock = fcntl(fd, F_DUPFD_CLOEXEC, 0);
+    return fdopen(fd, "w");
+}
+
+static bool is_unfinished(const char *entry, const void *name)
+{
+    size_t length = strlen(name);
+    return strncmp(entry, name, length) == 0 &&
+           strncmp(entry + length, UNFINISHED, sizeof UNFINISHED - 1) == 0 &&
+           strlen(entry + length) == sizeof UNFINISHED - 1 + 6;
+}
+
+void atomic_file_remove_left(const char *path)
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    char *folder = slash ? xstrndup(path, (size_t)(slash - path) + 1) : xstrdup(".");
+    left_over_remove_all(folder, is_unfinished, name);
+    free(folder);
 }
 
 bool atomic_file_begin(struct atomic_file *f, const char *path, char **error)
 {
-    *f = (struct atomic_file){.path = xstrdup(path)};
+    *f = (struct atomic_file){.path = xstrdup(path), .lock = -1};
     if (!strcmp(path, "-"))
         f->out = stdout;
     else

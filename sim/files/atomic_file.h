@@ -14,6 +14,7 @@ struct atomic_file {
     FILE *out; /* write here */
     char *path;
     char *unfinished; /* the temporary name; NULL: written directly */
+    int lock;         /* which says that its process lives; -1: none */
 };
 
 /* Opens f->out for writing. False with *error, a malloc'd text for the user. */
@@ -23,4 +24,8 @@ bool atomic_file_begin(struct atomic_file *f, const char *path, char **error);
 bool atomic_file_end(struct atomic_file *f, char **error);
 /* Gives the file up: removes what was written under the temporary name. */
 void atomic_file_drop(struct atomic_file *f);
+
+/* Removes what killed processes left that were writing a file to that path. It reads the folder: for files
+ * whose writing takes as long as a run. */
+void atomic_file_remove_left(const char *path);
 #endif

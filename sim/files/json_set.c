@@ -36,6 +36,27 @@ json_t *json_string_or_null(const char *text)
     return text ? json_string(text) : json_null();
 }
 
+json_t *json_text(const char *text)
+{
+    json_t *string = json_string(text);
+    if (string)
+        return string;
+    char *ascii = xstrdup(text);
+    for (char *c = ascii; *c; c++)
+        *c = *c & 0x80 ? '?' : *c;
+    string = xchecked(json_string(ascii));
+    free(ascii);
+    return string;
+}
+
+json_t *json_texts(char *const list[])
+{
+    json_t *array = json_array();
+    for (char *const *text = list; text && *text; text++)
+        json_append(array, json_text(*text));
+    return array;
+}
+
 char *json_keys_text(const json_t *object, const json_t *without)
 {
     const char *key, *before = "";

@@ -14,6 +14,11 @@ void json_append(json_t *list, json_t *value);
 json_t *json_real_or_null(double x);
 json_t *json_string_or_null(const char *text);
 
+/* A string; of a text that is not UTF-8, with ? for each byte that is not ASCII. */
+json_t *json_text(const char *text);
+/* An array of such. list is ended by NULL, or is NULL. */
+json_t *json_texts(char *const list[]);
+
 /* An object's keys, but for those that `without` (NULL: none) has: "idle_s, messages, total_s", malloc'd. */
 char *json_keys_text(const json_t *object, const json_t *without);
 #endif

@@ -55,16 +55,37 @@ struct time_text virtual_time_moment(vtime t)
     return x;
 }
 
-struct time_text duration_text(double seconds)
+/* The unit for a number of seconds, of UNITS. What is less after rounding to four digits has the larger. */
+static int unit_for(double seconds)
 {
-    enum { MANY = 1000 };
-    struct time_text x;
     double ps = fabs(seconds) * (double)VT_SECOND;
     int i = 0;
-    while (i < 3 && ps > 0 && ps < 0.99995 * (double)UNITS[i].ps) /* what is less after rounding, too */
+    while (i < 3 && ps > 0 && ps < 0.99995 * (double)UNITS[i].ps)
         i++;
-    double value = seconds * (double)VT_SECOND / (double)UNITS[i].ps;
-    snprintf(x.text, sizeof x.text, fabs(value) < MANY ? "%.4g %s" : "%.0f %s", value, UNITS[i].name);
+    return i;
+}
+
+static double in_unit(double seconds, int i)
+{
+    return seconds * (double)VT_SECOND / (double)UNITS[i].ps;
+}
+
+struct time_text duration_text(double seconds)
+{
+    struct time_text x;
+    int i = unit_for(seconds), decimals = seconds ? 3 : 0;
+    double value = in_unit(seconds, i);
+    for (double limit = 9.9995; decimals > 0 && fabs(value) >= limit; limit *= 10)
+        decimals--;
+    snprintf(x.text, sizeof x.text, "%.*f %s", decimals, value, UNITS[i].name);
+    return x;
+}
+
+struct time_text limit_text(double seconds)
+{
+    struct time_text x;
+    int i = unit_for(seconds);
+    snprintf(x.text, sizeof x.text, "%.15g %s", in_unit(seconds, i), UNITS[i].name);
     return x;
 }
 

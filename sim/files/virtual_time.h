@@ -16,6 +16,9 @@ struct time_text {
 };
 /* A moment: all digits down to a nanosecond, of less than a microsecond to a picosecond: "29.456789 ms". */
 struct time_text virtual_time_moment(vtime t);
-/* A duration, of virtual or real time, in four digits: "6.613 ms", "107.2 s", "12346 s"; or negative. */
+/* A duration, of virtual or real time, in four digits, noughts at its end too: "6.613 ms", "30.10 s",
+ * "12346 s"; or negative. 0 is "0 s". */
 struct time_text duration_text(double seconds);
+/* A duration that a user has given, in the digits that it has: "30 s", "1.5 ms". */
+struct time_text limit_text(double seconds);
 #endif

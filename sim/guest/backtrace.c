@@ -52,15 +52,20 @@ static bool print_call(FILE *f, const struct node *n, const char *how, uintptr_t
     return true;
 }
 
-/* (A recursion is one line.) */
-void backtrace_print(FILE *f, const struct node *n, const char *how, const uintptr_t *addresses, int count)
+void backtrace_print_as(backtrace_print_call *print, FILE *f, const struct node *n, const char *how,
+                        const uintptr_t *addresses, int count)
 {
     for (int i = 0, equal; i < count; i += equal, how = "called from") {
         for (equal = 1; i + equal < count && addresses[i + equal] == addresses[i];)
             equal++;
-        if (print_call(f, n, how, addresses[i]) && equal > 1)
+        if (print(f, n, how, addresses[i]) && equal > 1)
             fprintf(f, ", %s%d times", i + equal == count ? "at least " : "", equal);
     }
+}
+
+void backtrace_print(FILE *f, const struct node *n, const char *how, const uintptr_t *addresses, int count)
+{
+    backtrace_print_as(print_call, f, n, how, addresses, count);
 }
 
 /* How many calls, the innermost first, are not the program's own: of `such` a library, or outside. */

@@ -14,6 +14,10 @@ bool backtrace_in_program(const struct node *n, uintptr_t address);
 /* Prints calls by their addresses, the innermost first: a newline and "  HOW FUNCTION (FILE:LINE)" for the
  * first, then "  called from ..."; nothing for an address outside of the program. */
 void backtrace_print(FILE *f, const struct node *n, const char *how, const uintptr_t *addresses, int count);
+/* The same with another text for a call; false: it is to have none. A recursion is one line. */
+typedef bool backtrace_print_call(FILE *f, const struct node *n, const char *how, uintptr_t address);
+void backtrace_print_as(backtrace_print_call *print, FILE *f, const struct node *n, const char *how,
+                        const uintptr_t *addresses, int count);
 /* Prints such a line for each call under way in the program, from a frame upwards. */
 void backtrace_print_calls(FILE *f, const struct node *n, uintptr_t frame);
 

@@ -105,7 +105,7 @@ static void show_progress(struct machine *m, double now)
         return;
     m->progress_at = now + PROGRESS_EVERY;
     if (limit > 0)
-        snprintf(share, sizeof share, ", %.0f %% of %s", 100 * at / limit, duration_text(limit).text);
+        snprintf(share, sizeof share, ", %.0f %% of %s", 100 * at / limit, limit_text(limit).text);
     snprintf(text, sizeof text, "%s on %u nodes, %" PRIu64 " messages%s", duration_text(at).text,
              machine_nodes(m), m->sys.messages, share);
     progress_line_show(m->sys.progress, text);
@@ -159,7 +159,7 @@ void outside_look(void *ctx)
         show_progress(m, now);
     if (m->options.max_wall_s > 0 && !m->sys.debugger && now - m->begin > m->options.max_wall_s)
         node_system_fail(&m->sys, STOP_WALL_TIME, (struct instant){0}, "wall time limit of %s reached",
-                         duration_text(m->options.max_wall_s).text);
+                         limit_text(m->options.max_wall_s).text);
 }
 
 void outside_end(struct machine *m)

@@ -12,27 +12,6 @@ char *json_file_write(json_t *root, const char *path)
     return error;
 }
 
-json_t *json_text(const char *text)
-{
-    json_t *string = json_string(text);
-    if (string)
-        return string;
-    char *ascii = xstrdup(text);
-    for (char *c = ascii; *c; c++)
-        *c = *c & 0x80 ? '?' : *c;
-    string = xchecked(json_string(ascii));
-    free(ascii);
-    return string;
-}
-
-json_t *json_texts(char *const list[])
-{
-    json_t *array = json_array();
-    for (char *const *text = list; text && *text; text++)
-        json_append(array, json_text(*text));
-    return array;
-}
-
 json_t *json_tasks(const vtime tasks[NODE_TASKS])
 {
     static const struct {

@@ -213,7 +213,7 @@ static void print_head(const char *head, const struct ink *ink, FILE *f)
     fprintf(f, "%s%.*s%s%s\n", ink->yellow, length, head, ink->off, head + length);
 }
 
-/* The other places at which the static variable of race i races, a line each. */
+/* The other places at which the variable of race i races, a line each. */
 static void print_others(const struct race_reports *t, size_t i, FILE *f)
 {
     size_t told = 0, left = 0;

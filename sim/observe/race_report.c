@@ -151,17 +151,32 @@ bool race_report_is_of_buffer(const struct race_report *r)
     return r->what == RACE_ON_SEND || r->what == RACE_ON_RECEIVE || r->what == RACE_OF_BUFFERS;
 }
 
-/* (Texts that are equal are one.) */
+/* A variable's name in what the source says of it: "*block", "block[0]". */
+static const char *name_in(const char *variable)
+{
+    return variable + strspn(variable, "*&(");
+}
+
+/* Are the races of one variable? object: the static one that the memory is of, "": none; then the variable is
+ * known by its name in a function. (Texts that are equal are one.) */
+static bool are_of_one(const struct race_report *a, const char *object, const struct race_report *b,
+                       const char *other)
+{
+    const struct race_frame *at = &a->side[1].frames[0], *at_other = &b->side[1].frames[0];
+    if (*object || *other)
+        return object == other;
+    return a->file == b->file && at->function == at_other->function && at->file == at_other->file &&
+           *a->variable && compare_variables(name_in(a->variable), name_in(b->variable)) == 0;
+}
+
 static void group(struct race_reports *t)
 {
     const char **object = xcalloc(t->count, sizeof *object);
     for (size_t i = 0, k; i < t->count; i++) {
         struct race_report *r = &t->list[i];
         object[i] = race_text_of_data(t->texts, r->file, r->offset);
-        for (k = 0; k < i; k++)
-            if (*object[i] && object[k] == object[i] &&
-                race_report_is_of_buffer(&t->list[k]) == race_report_is_of_buffer(r))
-                break;
+        for (k = 0; k < i && !are_of_one(&t->list[k], object[k], r, object[i]);)
+            k++;
         r->group = k;
         t->groups += k == i;
     }

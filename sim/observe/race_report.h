@@ -36,7 +36,7 @@ struct race_report {
     const char *variable;          /* "": not known */
     const struct node_image *file; /* of the instance: its program, and the memory's offset in it */
     uintptr_t offset;
-    size_t group; /* the index of the first race of the same static variable; its own if there is none */
+    size_t group; /* the index of the first race of the same variable, of any kind; its own: there is none */
     struct race_report_side side[2]; /* the handler's first; or of buffers: the call's whose buffer it is */
     bool first_came_later;           /* in the instance: side[0] after side[1] */
     const char *node;                /* of the instance: "node 3", "host" */

@@ -46,6 +46,7 @@ static json_t *head(const struct machine *m, const struct run_trace_options *o)
 
 bool run_trace_begin(struct run_trace *t, struct machine *m, const struct run_trace_options *o, char **error)
 {
+    atomic_file_remove_left(o->path);
     if (!atomic_file_begin(&t->file, o->path, error))
         return false;
     const struct recorder_options wanted = {.out = t->file.out,

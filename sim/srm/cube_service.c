@@ -260,7 +260,14 @@ static void cubeinfo(struct client *c, const struct request *r)
     char *text;
     size_t size;
     FILE *f = xchecked(open_memstream(&text, &size));
-    cubes_print(&c->service->cubes, r->session, f);
+    if (r->argc && !strcmp(r->argv[0], "json")) {
+        json_t *all = cubes_json(&c->service->cubes, r->session);
+        json_dumpf(all, f, JSON_INDENT(1));
+        fputc('\n', f);
+        json_decref(all);
+    } else {
+        cubes_print(&c->service->cubes, r->session, f);
+    }
     fclose(f);
     say(c, FRAME_OUT, "%s", text);
     free(text);

@@ -3,6 +3,7 @@
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
+#include "files/json_set.h"
 #include "kernel/xalloc.h"
 #include "srm/job.h"
 
@@ -199,14 +200,25 @@ static void print_state(const struct cube_entry *e, FILE *f)
         fprintf(f, "%s, ended with %d", e->program, job_status(e->job));
 }
 
+struct moment_text {
+    char text[32];
+};
+
+static struct moment_text moment_text(time_t t, const char *form)
+{
+    struct moment_text m;
+    struct tm tm;
+    localtime_r(&t, &tm);
+    strftime(m.text, sizeof m.text, form, &tm);
+    return m;
+}
+
 static void print_cube(const struct cubes *c, const struct cube_entry *e, bool attached, FILE *f)
 {
-    char since[32], nodes[80];
-    struct tm tm;
-    localtime_r(&e->since, &tm);
-    strftime(since, sizeof since, "%Y-%m-%d %H:%M:%S", &tm);
+    char nodes[80];
     fprintf(f, "%c %-12s %-6s %-16s %-10s %s  ", attached ? '*' : ' ', e->name, *e->type ? e->type : "all",
-            cubes_nodes(c, e, nodes, sizeof nodes), e->owner, since);
+            cubes_nodes(c, e, nodes, sizeof nodes), e->owner,
+            moment_text(e->since, "%Y-%m-%d %H:%M:%S").text);
     print_state(e, f);
     fputc('\n', f);
 }
@@ -226,4 +238,40 @@ void cubes_print(const struct cubes *c, const char *session, FILE *f)
     fprintf(f, "%s: %d of %d cubes; %u of %u nodes free, the largest %s %u\n", c->machine->name, count,
             CUBES_MOST, allocation_free(&c->allocation), allocation_all(&c->allocation),
             c->allocation.cube ? "cube" : "rectangle", allocation_largest(&c->allocation));
+}
+
+static json_t *state_json(const struct cube_entry *e)
+{
+    if (!e->program)
+        return json_null();
+    json_t *o = xchecked(json_pack("{s:o, s:s}", "command", json_text(e->program), "since",
+                                   moment_text(job_since(e->job), "%Y-%m-%dT%H:%M:%S%z").text));
+    if (job_pid(e->job))
+        json_set(o, "process", json_integer(job_pid(e->job)));
+    else
+        json_set(o, "exit_status", json_integer(job_status(e->job)));
+    return o;
+}
+
+static json_t *cube_json(const struct cube_entry *e, bool attached)
+{
+    const struct allocation_piece *p = &e->piece;
+    return xchecked(json_pack("{s:s, s:b, s:s, s:i, s:i, s:i, s:i, s:i, s:o, s:s, s:o}", "name", e->name,
+                              "attached", attached, "type", *e->type ? e->type : "all", "nodes",
+                              (int)p->nodes, "row", (int)p->row, "column", (int)p->column, "rows",
+                              (int)p->rows, "columns", (int)p->columns, "owner", json_text(e->owner), "since",
+                              moment_text(e->since, "%Y-%m-%dT%H:%M:%S%z").text, "program", state_json(e)));
+}
+
+json_t *cubes_json(const struct cubes *c, const char *session)
+{
+    const struct attachment *a = attachment_of(c, session);
+    json_t *list = xchecked(json_array());
+    for (int i = 0; i < CUBES_MOST; i++)
+        if (c->list[i].used)
+            json_append(list, cube_json(&c->list[i], a && a->cube == i + 1));
+    return xchecked(json_pack(
+        "{s:s, s:s, s:i, s:i, s:i, s:i, s:o}", "format", "touchstone cubes 1", "machine", c->machine->name,
+        "nodes", (int)allocation_all(&c->allocation), "free", (int)allocation_free(&c->allocation), "largest",
+        (int)allocation_largest(&c->allocation), "most_cubes", CUBES_MOST, "cubes", list));
 }

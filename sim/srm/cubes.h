@@ -7,6 +7,7 @@
  */
 #ifndef SRM_CUBES_H
 #define SRM_CUBES_H
+#include <jansson.h>
 #include <stdio.h>
 #include <time.h>
 #include "srm/allocation.h"
@@ -53,6 +54,7 @@ void cubes_attach(struct cubes *c, struct cube_entry *e, const char *session);
 
 /* "nodes 0 to 15", "4 x 8 nodes at row 0, column 8". At most size bytes; returns buf. */
 const char *cubes_nodes(const struct cubes *c, const struct cube_entry *e, char *buf, size_t size);
-/* The table of cubeinfo. */
+/* The table of cubeinfo, as text and as JSON (share/schemas/cubes.schema.json). */
 void cubes_print(const struct cubes *c, const char *session, FILE *f);
+json_t *cubes_json(const struct cubes *c, const char *session);
 #endif

@@ -20,7 +20,7 @@ struct request {
     const char *session; /* of the client's terminal, to which cubes are attached */
     const char *cube;    /* its name; "": the cube attached to the session */
     const char *type;    /* getcube */
-    int argc;            /* load: words for touchstone run */
+    int argc;            /* load: words for touchstone run; cubeinfo: "json", or nothing for text */
     char **argv;
 };
 enum { REQUEST_STRINGS = 5 };

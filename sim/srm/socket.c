@@ -12,6 +12,12 @@
 #include <unistd.h>
 #include "kernel/xalloc.h"
 
+/* The folder of the socket where there is no $XDG_RUNTIME_DIR. */
+static void default_folder(char folder[SOCKET_PATH])
+{
+    snprintf(folder, SOCKET_PATH, "/tmp/touchstone-%u", (unsigned)getuid());
+}
+
 /* Anybody can make a folder in /tmp: it must belong to this user, and be closed to others. */
 static char *own_folder(const char *path, bool to_listen)
 {
@@ -37,7 +43,7 @@ char *socket_path(const char *given, bool to_listen, char path[SOCKET_PATH])
     } else if (runtime && *runtime) {
         n = snprintf(path, SOCKET_PATH, "%s/touchstone-srm", runtime);
     } else {
-        snprintf(path, SOCKET_PATH, "/tmp/touchstone-%u", (unsigned)getuid());
+        default_folder(path);
         error = own_folder(path, to_listen);
         n = snprintf(path, SOCKET_PATH, "/tmp/touchstone-%u/srm", (unsigned)getuid());
     }
@@ -101,10 +107,13 @@ void socket_owner(int lock)
 
 void socket_remove(const char *path)
 {
-    char name[SOCKET_PATH + 8];
+    char name[SOCKET_PATH + 8], folder[SOCKET_PATH];
     snprintf(name, sizeof name, "%s.lock", path);
     unlink(path);
     unlink(name);
+    default_folder(folder);
+    if (strncmp(path, folder, strlen(folder)) == 0 && path[strlen(folder)] == '/')
+        rmdir(folder); /* unless it has more */
 }
 
 char *socket_connect(const char *path, int *fd)

@@ -20,6 +20,7 @@ char *socket_path(const char *given, bool to_listen, char path[SOCKET_PATH]);
 char *socket_listen(const char *path, int *fd, int *lock);
 /* Writes the process number of the caller, which is the service, into the lock. */
 void socket_owner(int lock);
+/* Removes them, and the folder that was made for them. */
 void socket_remove(const char *path);
 /* Returns NULL, or what is wrong (malloc'd). */
 char *socket_connect(const char *path, int *fd);

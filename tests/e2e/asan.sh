@@ -58,6 +58,35 @@ status=$?
 check "doc/asan.md: status 1" ended_with 1
 check "doc/asan.md: the report is the one shown" eval '[ -s expected ] && head -n "$(wc -l <expected)" err | diff expected -'
 
+# --- whose calls a report names ---
+
+cat >deep.c <<'END'
+#include <nx.h>
+#include <stdlib.h>
+long descend(double *x, double *work, long n)
+{
+    if (n)
+        return descend(x, work, n - 1) + 1;
+    gdsum(x, 9, work);
+    return work[8] > 0;
+}
+int main(void)
+{
+    double x[9] = {1};
+    return (int)descend(x, malloc(8), 4);
+}
+END
+"$BUILD/nxcc" -O0 -g --asan -fno-optimize-sibling-calls -o deep deep.c
+run -q -n 2 deep
+check "the program's own calls, a recursion in one line" diff - <(sed -n '/^    in/,$p' err) <<'END'
+    in descend (deep.c:7)
+    called from descend (deep.c:6), 4 times
+    called from main (deep.c:13)
+  it was allocated
+    in main (deep.c:13)
+  to do: give irecv a buffer of at least 72 bytes, or a smaller length
+END
+
 # --- a file without --asan: its frames lie where functions with red zones have returned ---
 
 cat >plain.c <<'END'

@@ -9,10 +9,20 @@ make -s -C "$root" -o "$BUILD/obj/flags" B="$BUILD" PREFIX="$prefix" install >in
 check "touchstone is installed" test -x "$prefix/bin/touchstone" -a -x "$prefix/bin/nxcc"
 export PATH=$prefix/bin:$PATH XDG_CACHE_HOME=$work/cache GITHUB_STEP_SUMMARY=$work/summary
 
-# Prints the commands of the steps after "Install touchstone", each an indented block.
-awk '/- name: Build the program/ { on = 1 } !on { next }
-     /^      - / { block = 0 } block { sub(/^          /, ""); print } /run: \|$/ { block = 1 }' "$root/share/ci/github.yml" >github.sh
-awk '/^  [a-z]/ { on = /script:$/ && !/before/ } on && sub(/^    - /, "")' "$root/share/ci/gitlab.yml" >gitlab.sh
+# github STEP - the commands of the steps so called, each an indented block; gitlab JOB - those of a job, its folded lines joined
+github() {
+    awk -v step="name: ($1)" '/^      - / { on = $0 ~ step; block = 0 } block && on { sub(/^          /, ""); print }
+                              /run: \|$/ { block = 1 }' "$root/share/ci/github.yml"
+}
+gitlab() {
+    awk -v job="$1:" '/^[^ ]/ { in_job = $0 == job } /^  [a-z]/ { on = in_job && /script:$/ }
+                      !on || /^    - >-$/ { next } sub(/^      /, "") { folded = folded $0 " "; next }
+                      folded { print folded; folded = "" } sub(/^    - /, "")' "$root/share/ci/gitlab.yml"
+}
+github "Build the program|Compare with|Show it" >github.sh
+github "Look for" >github-faults.sh
+gitlab touchstone >gitlab.sh
+gitlab "touchstone faults" >gitlab-faults.sh
 check "GitHub's commands are found" test "$(wc -l <github.sh)" = 3
 check "GitLab's too" test "$(wc -l <gitlab.sh)" = 2
 
@@ -45,3 +55,24 @@ for ci in github gitlab; do
 done
 check "GitHub shows annotations" grep -q '^::error title=study%3A send_us 40::WORSE ' github/touchstone.txt
 check "GitHub's page shows the first run" grep -q '^2 points: 2 the same$' summary
+
+# faults CI - the commands that look for faults: of a program that has races, of one that is wrong behind an array, of one that deadlocks
+faults() {
+    rm -rf faults && mkdir faults && cp "$2" faults/program.c
+    (cd faults && RUN="-n 4" bash -eo pipefail "../$1-faults.sh") >out 2>err
+    status=$?
+}
+found() { jq -r '.runs[0].results[].ruleId' "faults/$1"; } # FILE
+for ci in github gitlab; do
+    faults $ci "$root/share/examples/race.c"
+    check "$ci: races fail" ended_with 3
+    check "$ci: and are there to be uploaded" eval '[ "$(found races.sarif | sort -u)" = race ] && [ -z "$(found asan.sarif)" ]'
+    faults $ci "$root/share/examples/deadlock.c"
+    check "$ci: so does a deadlock" eval 'ended_with 2 && [ "$(found races.sarif)" = deadlock ]'
+    faults $ci "$tests/../asan/loop.c"
+    check "$ci: and a wrong access" eval 'ended_with 1 && [ "$(found asan.sarif)" = heap-buffer-overflow ]'
+done
+check "GitHub uploads both files" eval '[ "$(grep -c "sarif_file: \(races\|asan\).sarif" "$root/share/ci/github.yml")" = 2 ]'
+check "GitLab shows the place" test "$(jq -c '.[] | select(.check_name == "heap-buffer-overflow") | [.severity, .location.path, .location.lines.begin]' \
+    faults/code-quality.json)" = '["major","program.c",22]'
+check "each finding has a fingerprint" test "$(jq 'length == (map(.fingerprint) | unique | length)' faults/code-quality.json)" = true

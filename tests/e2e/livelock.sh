@@ -10,7 +10,7 @@ of_json() { jq -r "$1" f.json; }
 # --- polls, at a limit of virtual time ---
 run --json f.json -n 4 --max-virtual-time 0.2 livelock iprobe
 check "iprobe: who, how long, where, how often, and that nobody has sent it" said "^  nodes 1-3 poll: [78][0-9]\\.[0-9] % of the last \
-200 ms in iprobe\\(7\\) \\(livelock.c:$(line_of iprobe)\\), [0-9]+ times without an answer; no message of type 7 has come to any node$"
+200\\.0 ms in iprobe\\(7\\) \\(livelock.c:$(line_of iprobe)\\), [0-9]+ times without an answer; no message of type 7 has come to any node$"
 check "iprobe: the summary does not say it again" test "$(grep -c 'in iprobe(7)' err)" = 1
 check "iprobe: the JSON file has it" test "$(of_json '.node[1].livelock | .kind, .call, .type, .goes_on')" = $'polls\niprobe\n7\ntrue'
 check "iprobe: with its line" test "$(of_json '.node[3].livelock.line')" = "livelock.c:$(line_of iprobe)"

@@ -6,7 +6,7 @@ ln -s "$BUILD"/* build/
 rm -f build/man
 check "the pages are made" "$tests/../../doc/man/pages" build
 
-for page in nxcc.1 nxf77.1 touchstone.1 touchstone-{run,machines,study,explore,plot,render,page,check,fit,tables,serve,srm}.1 touchstone-{getcube,load,waitcube,killcube,relcube,cubeinfo,attachcube}.1 nx.3; do
+for page in nxcc.1 nxf77.1 touchstone.1 touchstone-{run,machines,study,explore,plot,render,page,check,fit,tables,serve,srm}.1 touchstone-trace{,-info,-show,-export,-why}.1 touchstone-{getcube,load,waitcube,killcube,relcube,cubeinfo,attachcube}.1 nx.3; do
     clean() { mandoc -T lint -W error "build/man/$page" && mandoc -T utf8 "build/man/$page" | col -b | grep -q '^SEE ALSO'; }
     check "$page: is there, and clean" clean
 done

@@ -75,8 +75,9 @@ done
 for tone in $(sed -n '/ORDER\[\]/,/;/p' "$tests/../../sim/lab/render/colours.c" | grep -oP '0x\K[0-9a-f]{6}'); do
     check "surfaces are #$tone in pictures and on pages" grep -q "'#$tone'" "$tests/../../sim/lab/page/web/surface_section.js"
 done
-page two.html run.trace many.trace
-check "a page of two traces is written" ended_with 0
+cp -r study twin
+page two.html run.trace many.trace study twin
+check "a page of two traces and two studies is written" ended_with 0
 page - run.json
 check "- is standard output" grep -q '^<!doctype html>' out
 check "the name that is markup stands nowhere as such" bash -c '! grep -q "<img\|<script>document" all.html'

@@ -72,6 +72,49 @@ check "the places of a variable are told in one report" diff expected found
 check "the summary counts both" grep -qx 'races          3 found, in 2 reports' err
 check "--races has each pair" test "$(grep -c '"what"' places.json)" = 3
 
+# So is one that races in several ways: of a static variable, one of a function, a block of the heap.
+cat >kinds.c <<'END'
+#include <nx.h>
+#include <stdlib.h>
+static long shared[4];
+static void pass(long *bytes)
+{
+    long out = isend(1, bytes, 8, 1 - mynode(), 0), in;
+    bytes[0] = 7;
+    in = irecv(1, bytes, 8);
+    msgwait(out);
+    msgwait(in);
+}
+int main(void)
+{
+    long own[4] = {0}, *heap = calloc(4, sizeof *heap), out, in;
+    pass(shared);
+    out = isend(1, own, 8, 1 - mynode(), 0);
+    own[0] = 7;
+    in = irecv(1, own, 8);
+    msgwait(out);
+    msgwait(in);
+    out = isend(1, heap, 8, 1 - mynode(), 0);
+    *heap = 7;
+    in = irecv(1, heap, 8);
+    msgwait(out);
+    msgwait(in);
+    return 0;
+}
+END
+"$BUILD/nxcc" --races -g -O0 -o kinds kinds.c
+run -n 2 kinds
+reports | grep -E '^race|^  also' >found
+cat >expected <<'END'
+race on *bytes: main program writes at kinds.c:7 the buffer of isend at kinds.c:6
+  also          irecv at kinds.c:8 is given a buffer that is under way for isend at kinds.c:6, 2 times on nodes 0-1
+race on own[0]: main program writes at kinds.c:17 the buffer of isend at kinds.c:16
+  also          irecv at kinds.c:18 is given a buffer that is under way for isend at kinds.c:16, 2 times on nodes 0-1
+race on *heap: main program writes at kinds.c:22 the buffer of isend at kinds.c:21
+  also          irecv at kinds.c:23 is given a buffer that is under way for isend at kinds.c:21, 2 times on nodes 0-1
+END
+check "the ways in which a variable races are told in one report" diff expected found
+
 # JSON.
 build jobs --races
 run -q -m ipsc860 -n 3 --races r.json --json j.json jobs

@@ -140,4 +140,4 @@ for format in png webp obj; do
     ln -s /dev/full "full.$format"
     wrong "a full disk, .$format" 1 "full.$format cannot be written" ball_5.ply -o "full.$format"
 done
-check "nothing half-written is left" test -z "$(ls -d x.* ./*.?????? 2>/dev/null | grep -v '\.[a-z]*$')"
+check "nothing half-written is left" test -z "$(ls -d ./*.unfinished-* 2>/dev/null)"

@@ -218,5 +218,21 @@ valid journal row-line.json .
 wait $tables
 valid tables tables/tables.json . summary summary.tables.0 fitted.0 fitted_choices.0
 
+"$BUILD/touchstone" tables --explain 1:4 --json explain.json >out 2>err
+valid explain explain.json . program.0 layers.0
+
+# --- cubes: one with nothing loaded, one whose program runs, one whose program has ended ---
+export TOUCHSTONE_SRM=$work/srm
+"$BUILD/nxcc" -O2 -o endless "$tests/endless.c"
+"$BUILD/touchstone" srm -d
+for name in empty endless deadlock; do
+    "$BUILD/touchstone" getcube -t 2 -c $name >out
+    [ $name = empty ] || "$BUILD/touchstone" load -c $name $name
+done
+"$BUILD/touchstone" waitcube -c deadlock >out 2>err
+"$BUILD/touchstone" cubeinfo --json cubes.json
+kill "$(cat srm.lock)"
+valid cubes cubes.json . cubes.0 cubes.1.program cubes.2.program
+
 # --ties takes a minute; a run of touchstone explore without figures is hard to make.
 /usr/bin/python3 "$tests/schemas.py" "$schemas" samples 'tables/row/tie_.*' journal/failure/name

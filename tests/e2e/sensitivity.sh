@@ -25,7 +25,7 @@ is net.short_us_per_byte 3.4e-06
 is net.short_hop_us 2e-06
 is cfs.seek_ms 0
 check "the table has them, the largest first" eval 'grep -A3 "^change " err | tr -s " " | cut -d" " -f4 | tail -3 | paste -sd" " | grep -q "^system.short_send_us system.short_receive_us net.short_us_per_byte$"'
-check "with value, step and standing" said '^\+3.4 us .* net.short_us_per_byte  *0.425 us/B  *\+0.00425 \(\+1 %\)  *known'
+check "with value, step and standing" said '^\+3.400 us .* net.short_us_per_byte  *0.425 us/B  *\+0.00425 \(\+1 %\)  *known'
 check "its output comes once" eval '[ "$(cat out)" = "no input" ]'
 check "no line is for each re-run" test "$(grep -c '^\[' err)" = 0
 took=$(cat took)

@@ -37,6 +37,11 @@ ask getcube -t 16
 check "getcube" grep -qx 'default: nodes 0 to 15 of ipsc860' out
 ask getcube -t d6 -c large
 check "getcube by dimension" grep -qx 'large: nodes 64 to 127 of ipsc860' out
+ask cubeinfo --json -
+check "cubeinfo as JSON" test "$(jq -c '[.machine, .free, (.cubes[] | .name, .attached, .type, .nodes, .column, .program)]' out)" = \
+    '["ipsc860",48,"default",false,"16",16,0,null,"large",true,"d6",64,64,null]'
+ask cubeinfo --json none/cubes.json
+check "a file that cannot be written is named" eval 'ended_with 1 && said "^cubeinfo: none/cubes.json cannot be written"'
 ask getcube -t 64 -c more
 check "nodes that are not free: exit status 1" ended_with 1
 check "nodes that are not free: how many are" said '64 nodes are asked for; 48 of 128 are free, the largest cube of them 32'
@@ -121,11 +126,22 @@ ask cubeinfo
 check "and has no cubes" grep -q '0 of 10 cubes' out
 ask getcube
 check "getcube without a type: all nodes" grep -qx 'default: nodes 0 to 127 of ipsc860' out
+check "its log tells what happened" grep -qE 'gets default: nodes 0 to 127' srm.log
 service=$(cat srm.lock)
 kill "$service"
 check "SIGTERM ends it" gone "$service"
-check "and removes its socket" awaited test ! -e srm
-check "its log tells what happened" grep -qE 'gets default: nodes 0 to 127' srm.log
+check "and removes its socket, lock and log" awaited eval "! compgen -G \"srm*\""
+
+usual=/tmp/touchstone-$(id -u)
+if [ -e "$usual" ]; then
+    echo "skip where a service is usually: there is one"
+else
+    env -u TOUCHSTONE_SRM -u XDG_RUNTIME_DIR "$BUILD/touchstone" srm -d 2>err
+    service=$(cat "$usual/srm.lock")
+    check "in /tmp, there is a log" test -s "$usual/srm.log"
+    kill "$service"
+    check "and nothing when the service has ended" eval 'gone "$service" && awaited test ! -e "$usual"'
+fi
 
 start -m delta --log delta.log
 ask getcube -t 2x8

@@ -54,6 +54,16 @@ check "--trace-from, --trace-to" grep -q '^time  *10 ms to 20 ms of 39\.4' info
 "$BUILD/touchstone" trace info --from 10ms --to 20ms --nodes 2-3,5 all.trace | sed 1d >selected
 check "a part that was traced is the part of a whole trace" cmp selected <(sed 1d info)
 
+# What a killed run leaves.
+"$BUILD/nxcc" -O2 -o endless "$tests/endless.c"
+"$BUILD/touchstone" run -q -n 2 --trace hit.trace --record hit.schedule endless >/dev/null 2>&1 &
+awaited compgen -G "hit.schedule.*" >/dev/null
+kill -9 $!
+wait $! 2>/dev/null
+check "a killed run leaves files that are not finished" test "$(ls -d hit.*.unfinished-* | wc -l)" = 2
+"$BUILD/touchstone" run -q -m ipsc860 -n 2 --trace hit.trace --record hit.schedule ring >/dev/null 2>&1
+check "the next that writes there removes them" test "$(ls -d hit.* | xargs)" = "hit.schedule hit.trace"
+
 # Faults.
 "$BUILD/touchstone" run -q -m delta -n 32 --trace long.trace "$BUILD/app/model" -sphere 64 64 17 >/dev/null 2>&1
 head -c $(($(stat -c %s long.trace) * 3 / 4)) long.trace >cut.trace

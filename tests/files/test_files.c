@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <math.h>
 #include <setjmp.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -82,6 +83,32 @@ static void a_result_is_there_whole_or_not_at_all(void **state)
     atomic_file_drop(&f);
     check_text("r", "new");
     assert_int_equal(system("test $(ls | wc -l) = 1"), 0);
+}
+
+/* Of a file that a killed process was writing something is left; of one that is being written, too. */
+static void only_what_nobody_writes_is_left_over(void **state)
+{
+    struct atomic_file f;
+    char *error = NULL;
+    int status;
+    (void)state;
+    pid_t child = fork();
+    if (child == 0) {
+        atomic_file_begin(&f, "r", &error);
+        raise(SIGKILL);
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_int_equal(system("ls | grep -q '^r\\.unfinished-......$'"), 0);
+    put("r.backup", "own");
+    put("r.unfinished-reading", "own");
+    put("other.unfinished-abcdef", "own");
+    assert_true(atomic_file_begin(&f, "r", &error));
+    atomic_file_remove_left("r");
+    assert_int_equal(system("test $(ls | wc -l) = 4"), 0); /* the one being written, and three of others */
+    fputs("new", f.out);
+    assert_true(atomic_file_end(&f, &error));
+    check_text("r", "new");
+    assert_int_equal(system("test $(ls | wc -l) = 4"), 0);
 }
 
 static void a_link_stays_and_its_target_is_written(void **state)
@@ -311,19 +338,26 @@ static void durations_have_four_digits(void **state)
     (void)state;
     assert_string_equal(duration_text(0).text, "0 s");
     assert_string_equal(duration_text(6612.719e-6).text, "6.613 ms");
-    assert_string_equal(duration_text(-0.0301).text, "-30.1 ms");
-    assert_string_equal(duration_text(0.99996).text, "1 s");
+    assert_string_equal(duration_text(-0.0301).text, "-30.10 ms");
+    assert_string_equal(duration_text(0.99996).text, "1.000 s");
     assert_string_equal(duration_text(0.9999).text, "999.9 ms");
     assert_string_equal(duration_text(124.2e-6).text, "124.2 us");
     assert_string_equal(duration_text(107.224).text, "107.2 s");
+    assert_string_equal(duration_text(73.1).text, "73.10 s"); /* beside 91.19 s, in a column */
+    assert_string_equal(duration_text(9.99949).text, "9.999 s");
+    assert_string_equal(duration_text(9.9995).text, "10.00 s");
+    assert_string_equal(duration_text(999.96).text, "1000 s");
     assert_string_equal(duration_text(12345.6).text, "12346 s");
     assert_string_equal(duration_text(1e6).text, "1000000 s");
+    assert_string_equal(limit_text(30).text, "30 s");
+    assert_string_equal(limit_text(0.0015).text, "1.5 ms");
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(a_result_is_there_whole_or_not_at_all),
+        TEST(only_what_nobody_writes_is_left_over),
         TEST(a_link_stays_and_its_target_is_written),
         TEST(a_pipe_gets_what_is_written),
         TEST(what_could_not_be_written_is_an_error),

@@ -1,6 +1,7 @@
 """check_page.py PAGE MANY TWO FOLDER - tries a page in a browser: prints "ok RULE" or "not ok RULE", as tests/run reads it.
 
-PAGE shows what tests/e2e/page.sh made, MANY a trace of 100,000 intervals, TWO that and another. FOLDER has the files that the page was made of."""
+PAGE shows what tests/e2e/page.sh made, MANY a trace of 100,000 intervals, TWO that and another, and two
+studies of one title. FOLDER has the files that the page was made of."""
 import json
 import re
 import sys
@@ -85,8 +86,15 @@ def check_study(b):
             [1, 2, 5, 10, 20, 50, 100], [10 ** i for i in range(10)]], few)
     numbers = b.run("return [0.00005, 0.00015, 0.0004, 12500000, 0.5, 20].map(axisNumber)")
     rule("study: an axis's numbers are whole, short or long", numbers == ["50µ", "150µ", "400µ", "12.5M", "0.5", "20"], numbers)
-    units = b.run("return [['time, s', 0.0007], ['s', 0.09], ['time, s', 0.2], ['steps', 0.0007]].map(a => Object.values(axisUnit(...a)).join(' '))")
-    rule("study: short times have an axis in their own unit", units == ["1000000 time, µs", "1000 ms", "1 time, s", "1 steps"], units)
+    units = b.run("return [['time, s', 0.0007], ['s', 0.09], ['time, s', 0.2], ['s', 0], ['steps', 0.0007]].map(a => Object.values(axisUnit(...a)).join(' '))")
+    rule("study: short times have an axis in their own unit", units == ["1000000 time, µs", "1000 ms", "1 time, s", "1 s", "1 steps"], units)
+    label = b.run("""const chart = lineChart({xLabel: 'n', yLabel: 'time, s', series: [{name: 'a', points: [{x: 1, y: 0.02}, {x: 2, y: 0.099}]}]});
+        document.body.append(chart.figure);
+        chart.update({});
+        const label = [...chart.figure.querySelectorAll('text.label')].map(t => t.textContent).at(-1);
+        chart.figure.remove();
+        return label""")
+    rule("study: the greatest time decides, not the end of its axis", label == "time, ms", label)
     named = b.run("return ['time_s', 'idle_pct', 'nodes_of_done_groups', 'memory_peak_bytes', 'speedup'].map(figureWords)")
     rule("study: figures have names for people", named == ["time, s", "idle, %", "nodes of done groups", "memory peak, bytes", "speedup"] and
          "time against nodes" in s.text, named)
@@ -108,12 +116,14 @@ def check_study(b):
 
 
 def check_run(b):
+    plain = lambda text: text.replace("\u202f", "").replace("\u00a0", " ")
     data = load("run.json")
     text = section(b, "Run of").text.replace("\u202f", "").replace("\u00a0", " ")
-    rule("run: its virtual time for people", f"{data['virtual_time_s'] * 1e3:.4g} ms" in text, text[:300])
+    rough = b.run("return [73.1e12, 0.99996e12, 5e6, -30.1e9, 12345.6e12, 0].map(roughly)")
+    rule("durations have four figures", plain("|".join(rough)) == "73.10 s|1.000 s|5.000 µs|-30.10 ms|12346 s|0 ps", rough)
+    rule("run: its virtual time for people", f"{data['virtual_time_s'] * 1e3:#.4g} ms" in text, text[:300])
     exact = f"{data['virtual_time_s']!r} s"
     time = section(b, "Run of").find_element(By.CSS_SELECTOR, ".rounded")
-    plain = lambda text: text.replace("\u202f", "").replace("\u00a0", " ")
     rule("run: all digits under the mouse", plain(time.get_attribute("title")) == exact, time.get_attribute("title"))
     b.run("arguments[0].click()", time)
     rule("run: and after a click", plain(time.text) == exact, time.text)
@@ -445,11 +455,19 @@ def check_together(b):
     rule("two timelines: switched on again, it follows at once", views()[0] == views()[1], views())
 
 
+def check_names(b):
+    links = b.run("return [...document.querySelectorAll('nav a')].map(a => a.textContent)")
+    rule("two studies of one title are told apart in the navigation", [l for l in links if l.startswith("Study")] == [
+        "Study: Halves (study)", "Study: Halves (twin)"], links)
+    rule("what no other is called has a short name there", "Timeline: run.trace" in links, links)
+
+
 browser = Browser()
 try:
     browser.open(page)
     for check in (check_tables, check_study, check_run, check_timeline, check_trace_rest, check_surfaces, check_keyboard,
-                  check_widths, check_markup, check_colours, check_speed, check_together):
+                  check_widths, check_markup, check_colours, check_speed, check_together,
+                  check_names):
         try:
             check(browser)
         except Exception as problem:  # what is not there is a rule that does not hold

@@ -11,7 +11,7 @@ enum { MAX_TABLES = 16 };
 
 struct arguments {
     unsigned tables[MAX_TABLES + 1]; /* ended by 0; none: all */
-    const char *dir, *report, *choices, *explain;
+    const char *dir, *report, *choices, *explain, *json;
     unsigned jobs;
     bool ties;
 };
@@ -29,6 +29,8 @@ static const struct argp_option OPTIONS[] = {
      1},
     {"explain", CLI_TEXT(arguments, explain), "ROW", 0,
      "Only show where the time of a row, such as 1:128, goes: by activity, processor and layer", 1},
+    {"json", CLI_TEXT(arguments, json), "FILE", 0,
+     "With --explain: write JSON instead; '-' is standard output (of the tables, DIR/tables.json is it)", 1},
     {0}};
 
 static const char DOC[] =
@@ -72,6 +74,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         read_tables(state, arg, a->tables);
     else if (key == 'o')
         a->dir = arg;
+    else if (key == ARGP_KEY_END && a->json && !a->explain)
+        argp_error(state, "--json is for --explain; the tables are in %s/tables.json", a->dir);
     else
         return cli_store(key, arg, state);
     return 0;
@@ -102,7 +106,7 @@ int cli_tables(int argc, char **argv)
                                      .progress = stderr,
                                      .signal = &signal};
     enum tables_end end =
-        a.explain ? tables_explain(&options, a.explain, &error) : tables_make(&options, &error);
+        a.explain ? tables_explain(&options, a.explain, a.json, &error) : tables_make(&options, &error);
     if (end == TABLES_ERROR)
         cli_say_error("tables", "%s", error);
     free(error);

@@ -8,7 +8,6 @@
 #include "kernel/xalloc.h"
 #include "lab/explore/guarantee.h"
 #include "lab/jobs/line_changes.h"
-#include "lab/explore/words_of.h"
 
 enum { MOST_LINES = 8, MOST_DELAYS = 10 };
 
@@ -35,13 +34,12 @@ char *explore_repeat(const struct explore *x, const struct explored *run)
 
 static void print_bounds(const struct explore *x, FILE *out)
 {
-    char message[REC_TIME], interrupt[REC_TIME], start[REC_TIME];
     const struct draw *d = &x->options.draw;
     fprintf(out,
             "  bounds     messages leave up to %s later, handlers become due %s later, programs start %s\n"
             "             later, nodes compute %.4g %% slower\n",
-            rec_duration((int64_t)d->messages, message), rec_duration((int64_t)d->interrupts, interrupt),
-            rec_duration((int64_t)d->start, start), d->speed_ppm / 1e4);
+            limit_text(vt_seconds(d->messages)).text, limit_text(vt_seconds(d->interrupts)).text,
+            limit_text(vt_seconds(d->start)).text, d->speed_ppm / 1e4);
 }
 
 static void print_kinds(const struct search *s, FILE *out)
@@ -183,7 +181,7 @@ static void print_warnings(const struct explore *x, FILE *out)
     const struct search *s = &x->search;
     if (s->failed)
         fprintf(out, "  %zu run%s did not end within %s of real time, and do%s not count\n", s->failed,
-                plural(s->failed), duration_text(x->options.limit_s).text, s->failed == 1 ? "es" : "");
+                plural(s->failed), limit_text(x->options.limit_s).text, s->failed == 1 ? "es" : "");
     if (x->out_of_time)
         fprintf(out, "  Time is up: not all runs were made.\n");
 }

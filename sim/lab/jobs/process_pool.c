@@ -179,8 +179,8 @@ static char *describe_end(const struct child *c, int status, const char *err)
         size--;
     const char *sep = size ? ": " : "";
     if (c->late)
-        return xasprintf("killed after its limit of %s of real time%s%.*s",
-                         duration_text(c->job->limit_s).text, sep, size, err);
+        return xasprintf("killed after its limit of %s of real time%s%.*s", limit_text(c->job->limit_s).text,
+                         sep, size, err);
     if (WIFSIGNALED(status))
         return xasprintf("killed by signal %d (%s)%s%.*s", WTERMSIG(status), strsignal(WTERMSIG(status)), sep,
                          size, err);

@@ -6,6 +6,7 @@
 #include "lab/chart/chart.h"
 #include "lab/jobs/process_pool.h"
 #include "lab/tables/choices.h"
+#include "lab/tables/explain_json.h"
 #include "lab/tables/explain_print.h"
 #include "lab/tables/paper_read.h"
 #include "lab/tables/results.h"
@@ -177,7 +178,8 @@ static struct explain *run_and_explain(const struct tables_options *o, const str
     return e;
 }
 
-enum tables_end tables_explain(const struct tables_options *o, const char *name, char **error)
+enum tables_end tables_explain(const struct tables_options *o, const char *name, const char *json,
+                               char **error)
 {
     struct paper *paper = read_rows(o, error);
     unsigned table = 0, nodes;
@@ -189,9 +191,10 @@ enum tables_end tables_explain(const struct tables_options *o, const char *name,
         e = run_and_explain(o, paper, row, table, error);
     else
         *error = xasprintf("no row %s in the tables; rows are table:nodes, such as 1:128", name);
-    if (e)
+    bool ok = e && (!json || json_write(explain_json(e), json, JSON_READABLE_DIGITS, error));
+    if (e && !json)
         explain_print(e, o->out);
     explain_free(e);
     paper_free(paper);
-    return e ? TABLES_DONE : TABLES_ERROR;
+    return ok ? TABLES_DONE : TABLES_ERROR;
 }

@@ -32,7 +32,8 @@ enum tables_end {
 };
 enum tables_end tables_make(const struct tables_options *options, char **error);
 
-/* Prints on `out` where the time of one row goes (explain.h). row is its table and nodes, "1:128". Writes
- * nothing to dir. */
-enum tables_end tables_explain(const struct tables_options *options, const char *row, char **error);
+/* Prints on `out` where the time of one row goes (explain.h), or writes it to the file json (NULL: none), as
+ * JSON. row is its table and nodes, "1:128". Writes nothing to dir. */
+enum tables_end tables_explain(const struct tables_options *options, const char *row, const char *json,
+                               char **error);
 #endif

@@ -9,25 +9,10 @@ static json_t *ps(vtime t)
     return json_integer((json_int_t)t);
 }
 
-/* A text; of one that is not UTF-8, a word that says so. */
-static json_t *json_text(const char *text)
-{
-    json_t *s = json_string(text);
-    return s ? s : json_string("(not UTF-8)");
-}
-
-static json_t *texts(char *const *list)
-{
-    json_t *array = json_array();
-    for (; list && *list; list++)
-        json_append(array, json_text(*list));
-    return array;
-}
-
 static json_t *sentences(struct why *w)
 {
     char **paragraphs = why_sentences(w);
-    json_t *array = texts(paragraphs);
+    json_t *array = json_texts(paragraphs);
     why_sentences_free(paragraphs);
     return array;
 }
@@ -157,7 +142,7 @@ static json_t *show_reruns(const struct reruns *r)
         json_t *row = json_object();
         json_set(row, "change", json_text(x->key));
         json_set(row, "what", json_text(x->what));
-        json_set(row, "settings", texts(x->set));
+        json_set(row, "settings", json_texts(x->set));
         if (x->done)
             json_set(row, "end_ps", ps(x->end));
         else

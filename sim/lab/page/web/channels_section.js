@@ -6,7 +6,7 @@ function channelsSection(trace, name) {
         return;
     const section = addSection('The network\'s channels', 'Channels: ' + baseName(name),
         'Each way of a connection is a line of its own, the wider and darker, the longer it was held. ' +
-            `A circle is a node; its own channels into and out of the network colour it (${name}).`);
+            `A circle is a node; its own channels into and out of the network colour it (${name}).`, name);
     const map = {
         trace,
         bin: -1,

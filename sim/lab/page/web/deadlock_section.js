@@ -6,7 +6,7 @@ function deadlockSummary(data) {
 
 function deadlockSection(data, name) {
     const section = addSection('Deadlock', 'Deadlock: ' + baseName(name),
-        `Why every program of the run waits, and no message is under way (${name}).`);
+        `Why every program of the run waits, and no message is under way (${name}).`, name);
     const picture = element('img', {
         class: 'drawn',
         src: 'data:image/svg+xml;base64,' + btoa(data.svg),

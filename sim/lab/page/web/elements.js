@@ -25,14 +25,16 @@ function fillElement(e, attributes, children) {
 
 let sectionCount = 0;
 
-/* Adds a section with its heading and its place in the navigation. */
-function addSection(title, short, about) {
+/* Adds a section with its heading and its place in the navigation. name: of what it shows, if other sections
+ * may be called alike: followSections() tells them apart by it. */
+function addSection(title, short, about, name = '') {
     const id = 'section-' + ++sectionCount, heading = element('h2', {id: id + '-title'}, title);
     const section = element('section', {id, 'aria-labelledby': id + '-title'}, heading);
     if (about)
         section.append(element('p', {class: 'about'}, about));
     document.getElementById('main').append(section);
-    document.getElementById('sections').append(element('li', {}, element('a', {href: '#' + id}, short)));
+    document.getElementById('sections').append(element('li', {},
+        element('a', {href: '#' + id, 'data-short': short, 'data-name': name}, short)));
     return section;
 }
 

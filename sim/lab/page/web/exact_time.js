@@ -42,12 +42,14 @@ function duration(time) {
     return inUnit(time, 'ps');
 }
 
-/* A duration that is not exact, to four figures: for axes and shares. */
+/* A duration that is not exact, to four figures: for axes and shares. Digits and units are those of the
+ * texts that touchstone prints (files/virtual_time.c): what is less than a unit after rounding has the next. */
 function roughly(picoseconds) {
-    for (const unit of ['s', 'ms', 'us', 'ns'])
-        if (Math.abs(picoseconds) >= Number(PICOSECONDS[unit]))
-            return Number((picoseconds / Number(PICOSECONDS[unit])).toPrecision(4)) + '\u00a0' +
-                   UNIT_TEXT[unit];
+    for (const unit of ['s', 'ms', 'us', 'ns']) {
+        const value = picoseconds / Number(PICOSECONDS[unit]), size = Math.abs(value);
+        if (size >= 0.99995)
+            return (size < 1000 ? value.toPrecision(4) : value.toFixed(0)) + '\u00a0' + UNIT_TEXT[unit];
+    }
     return Math.round(picoseconds) + '\u00a0ps';
 }
 

@@ -31,7 +31,7 @@ function flameSummary(text) {
 function flameSection(text, name) {
     const section = addSection('Flame graph', 'Flame graph: ' + baseName(name),
         `The width of a frame is its share of all time; what it called stands on it (${
-            name}). A click, or Enter, widens a frame.`);
+            name}). A click, or Enter, widens a frame.`, name);
     const root = readStacks(text), flame = {
         root,
         top: root,

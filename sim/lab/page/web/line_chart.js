@@ -162,7 +162,7 @@ function axes(o, x, y, width, height, margin) {
     const across = apart(o.ticksX ? o.ticksX.filter(t => t >= x.domain()[0] && t <= x.domain()[1])
                                   : ticksOf(x, o.logX, width / 90, 34),
         x, 34);
-    const unit = axisUnit(o.yLabel, y.domain()[1]);
+    const unit = axisUnit(o.yLabel, d3.max(o.series.flatMap(s => s.points), p => Math.abs(p.y)));
     for (const t of ticksOf(y, o.logY, height / 50, 16)) {
         grid.append(svgElement('line', {x1: margin.left, x2: width - margin.right, y1: y(t), y2: y(t)}));
         g.append(svgElement(
@@ -193,10 +193,10 @@ function axes(o, x, y, width, height, margin) {
     return g;
 }
 
-/* Short times have an axis in ms or µs, as in the pictures of a study: by how much its seconds are multiplied,
- * and its label. */
+/* Short times have an axis in ms or µs, as in the pictures of a study (chart_data.c): by how much its seconds
+ * are multiplied, and its label. most: the greatest of the times. */
 function axisUnit(label, most) {
-    const [unit, times] = most < 1e-3 ? ['µs', 1e6] : most < 0.1 ? ['ms', 1e3] : ['s', 1];
+    const [unit, times] = !most ? ['s', 1] : most < 1e-3 ? ['µs', 1e6] : most < 0.1 ? ['ms', 1e3] : ['s', 1];
     return /(^|, )s$/.test(label) ? {times, label: label.replace(/s$/, unit)} : {times: 1, label};
 }
 

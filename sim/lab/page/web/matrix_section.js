@@ -4,7 +4,7 @@ function matrixSection(trace, name, timeline) {
     if (!trace.messageCount)
         return;
     const section = addSection('Who sends to whom', 'Matrix: ' + baseName(name),
-        `A row is a sender, a column a receiver; the scale is logarithmic (${name}).`);
+        `A row is a sender, a column a receiver; the scale is logarithmic (${name}).`, name);
     const state = {figure: 'bytes', shownOnly: false}, canvas = element('canvas', {
         tabindex: '0',
         role: 'img',

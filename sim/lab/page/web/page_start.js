@@ -76,8 +76,19 @@ function markSection() {
     links.forEach((a, i) => a.setAttribute('aria-current', String(sections[i] === shown)));
 }
 
+/* Links of the navigation that would read the same have the names of what they lead to. */
+function tellApart() {
+    const links = [...document.querySelectorAll('nav a')];
+    for (const link of links) {
+        const {short, name} = link.dataset;
+        const alike = name && links.some(other => other !== link && other.dataset.short === short);
+        link.textContent = alike ? `${short} (${name})` : short;
+    }
+}
+
 /* May be called again when sections are others. */
 function followSections() {
+    tellApart();
     addEventListener('scroll', markSection, {passive: true});
     markSection();
 }

@@ -37,7 +37,8 @@ function studySection(data, name) {
             data.about, `Program ${data.program}; results in ${name}.`,
             data.baseline && `Baseline of speed-ups: ${data.baseline}.`
         ].filter(Boolean)
-            .join(' '));
+            .join(' '),
+        name);
     const axes = Object.keys(data.axes), figures = studyFigures(data);
     const numeric = axes.filter(a => isNumeric(data.axes[a]));
     section.append(studyFailures(data));
