@@ -154,13 +154,16 @@ FORTRAN(get_address, (void *at, MPI_Aint *address, f_int *ierr))
     IERR = MPI_SUCCESS;
 }
 
-MPI_Aint mpi_aint_add_(MPI_Aint *base, MPI_Aint *displacement), mpi_aint_diff_(MPI_Aint *a, MPI_Aint *b);
-MPI_Aint mpi_aint_add_(MPI_Aint *base, MPI_Aint *displacement)
+MPI_Aint pmpi_aint_add_(MPI_Aint *base, MPI_Aint *displacement), pmpi_aint_diff_(MPI_Aint *a, MPI_Aint *b);
+MPI_Aint mpi_aint_add_(MPI_Aint *, MPI_Aint *) __attribute__((weak, alias("pmpi_aint_add_")));
+MPI_Aint mpi_aint_diff_(MPI_Aint *, MPI_Aint *) __attribute__((weak, alias("pmpi_aint_diff_")));
+
+MPI_Aint pmpi_aint_add_(MPI_Aint *base, MPI_Aint *displacement)
 {
     return *base + *displacement;
 }
 
-MPI_Aint mpi_aint_diff_(MPI_Aint *a, MPI_Aint *b)
+MPI_Aint pmpi_aint_diff_(MPI_Aint *a, MPI_Aint *b)
 {
     return *a - *b;
 }
