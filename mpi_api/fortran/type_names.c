@@ -216,6 +216,21 @@ FORTRAN(type_match_size, (f_int * class, f_int *bytes, f_int *type, f_int *ierr)
     NEW(MPI_Datatype, type, MPI_Type_match_size(*class, *bytes, &made));
 }
 
+FORTRAN(type_create_f90_real, (f_int * digits, f_int *range, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type, MPI_Type_create_f90_real(*digits, *range, &made));
+}
+
+FORTRAN(type_create_f90_complex, (f_int * digits, f_int *range, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type, MPI_Type_create_f90_complex(*digits, *range, &made));
+}
+
+FORTRAN(type_create_f90_integer, (f_int * range, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type, MPI_Type_create_f90_integer(*range, &made));
+}
+
 FORTRAN(type_get_contents, (f_int * type, f_int *most_ints, f_int *most_addresses, f_int *most_types,
                             f_int *ints, MPI_Aint *addresses, f_int *types, f_int *ierr))
 {
