@@ -131,6 +131,17 @@ struct object *told_object(const struct nxm_library *l, uintptr_t handle, enum k
     return o && o->kind == kind ? o : NULL;
 }
 
+const struct basic *told_basic(const struct nxm_library *l, uintptr_t type)
+{
+    uintptr_t i = type - FIRST_BASIC;
+    return i < BASICS && l->basics[i].class ? &l->basics[i] : NULL;
+}
+
+const struct type *told_type(const struct nxm_library *l, uintptr_t type)
+{
+    return (const struct type *)told_object(l, type, TYPE);
+}
+
 const struct comm *told_comm(const struct nxm_library *l, const struct nxm_told *c)
 {
     uintptr_t handle;
