@@ -115,6 +115,42 @@ struct request {
     struct prepared *prepared;
 };
 
+/* --- windows --- */
+
+struct remote {
+    MPI_Aint size;
+    int unit;
+};
+
+struct win_server;
+struct access;
+struct pending;
+struct win {
+    struct object object;
+    struct comm *comm; /* its own */
+    int flavor, unit;
+    char *base;
+    MPI_Aint size;
+    bool allocated;        /* base is the window's own */
+    struct remote *remote; /* of each rank */
+    MPI_Errhandler handler;
+    MPI_Info info;
+    struct attribute *attributes;
+    char *name;
+    /* active */
+    bool fenced;
+    struct group *started, *posted;
+    int missing;           /* ranks that have begun, and not completed */
+    struct task *exposure; /* while posted: serves accesses */
+    struct access *kept, **last_kept;
+    /* passive */
+    int *locked; /* of each rank: 0, or the kind of lock */
+    int locks;   /* so many ranks are locked */
+    bool all;    /* all ranks: each is locked when it is first accessed */
+    struct win_server *server;
+    struct pending *pending, **last_pending;
+};
+
 /* --- all of it --- */
 
 /* Handles below are constants of mpi.h. */

@@ -172,6 +172,7 @@ void node_nxm_begins(const struct nxm_told *c, struct nxm_library *library)
 {
     struct node *n = node_self();
     library->told = n->asan || IS_HEARD(n, library_begins);
+    n->cold->mpi = library;
     if (n->asan)
         told_accesses(library, c, check_access, &(struct checked){n, c, __builtin_frame_address(0)});
     ANNOUNCE(n, library_begins, c, library);
