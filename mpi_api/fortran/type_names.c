@@ -211,6 +211,18 @@ FORTRAN(pack_external_size,
     free(text);
 }
 
+/* A variable as gfortran describes it where its type and rank may be any. */
+struct described {
+    void *base;
+    size_t offset, element_bytes;
+};
+
+FORTRAN(sizeof, (const struct described *x, f_int *size, f_int *ierr))
+{
+    *size = (f_int)x->element_bytes;
+    IERR = MPI_SUCCESS;
+}
+
 FORTRAN(type_match_size, (f_int * class, f_int *bytes, f_int *type, f_int *ierr))
 {
     NEW(MPI_Datatype, type, MPI_Type_match_size(*class, *bytes, &made));

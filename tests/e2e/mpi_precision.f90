@@ -11,6 +11,7 @@ program precision
     real(fine) :: x
     complex(fine) :: z
     integer(long) :: all_ranks
+    character(len=3) :: parts(4)
     made = 0
     call MPI_Init()
     call MPI_Comm_rank(MPI_COMM_WORLD, rank)
@@ -39,6 +40,11 @@ program precision
     call MPI_Type_create_f90_real(15, 307, real)
     call MPI_Type_create_f90_complex(15, 307, complex)
     call MPI_Type_create_f90_integer(12, whole)
+    call MPI_Sizeof(z, bytes)
+    call MPI_Type_match_size(MPI_TYPECLASS_COMPLEX, bytes, twice)
+    call expect("the size of a variable", bytes == 16 .and. twice == MPI_COMPLEX16)
+    call PMPI_Sizeof(parts(::2), bytes)
+    call expect("of an element", bytes == 3)
     call MPI_Type_size(complex, bytes)
     call expect("a complex number's bytes", bytes == 16)
     call expect("other datatypes", real /= complex .and. real /= MPI_REAL8)

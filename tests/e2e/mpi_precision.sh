@@ -21,7 +21,7 @@ at most: 128
 END
 
 # Handles are INTEGERs in the module mpi, and each call has an error code.
-sed -E 's/use mpi_f08/use mpi/; s/type\(MPI_Datatype\)/integer/; s/(call MPI_[A-Za-z0-9_]+\()(.*)\)$/\1\2, code)/; s/\(, code/(code/
+sed -E 's/use mpi_f08/use mpi/; s/type\(MPI_Datatype\)/integer/; s/(call P?MPI_[A-Za-z0-9_]+\()(.*)\)$/\1\2, code)/; s/\(, code/(code/
     s/integer :: i, k/integer :: code, i, k/' "$tests/mpi_precision.f90" >mpi_precision_old.f90
 cp "$tests/mpi_precision.f90" mpi_precision.f90
 for program in mpi_precision mpi_precision_old; do
