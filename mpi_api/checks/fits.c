@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
-#include "mpi_api/core/told_accesses.h"
 #include "net/protocol.h"
 #include "node/node.h"
 #include "nx_api/waitfor/waitfor_mpi.h"
@@ -15,7 +14,7 @@ struct sent {
     uint32_t from, to;
     int tag, context;
     size_t bytes;
-    uint8_t class;
+    struct signature signature;
     struct mpi_place place;
 };
 
@@ -25,8 +24,8 @@ struct member {
     struct mpi_place place;
     int root;     /* -1: there is none */
     uintptr_t op; /* one of MPI's; 0: none, or the program's own */
-    long bytes;   /* what all members must agree on; -1: nothing is known */
-    uint8_t class;
+    bool agrees;  /* all members must agree on the bytes, and on the kinds of numbers */
+    struct signature signature;
 };
 
 struct collective {
@@ -53,14 +52,23 @@ void fits_free(struct fits *f)
     for (int i = 0; i < BUCKETS; i++) {
         for (struct sent *s = f->sent[i], *next; s; s = next) {
             next = s->next;
+            signature_free(&s->signature);
             free(s);
         }
         for (struct collective *c = f->collectives[i], *next; c; c = next) {
             next = c->next;
+            signature_free(&c->first.signature);
             free(c);
         }
     }
     free(f);
+}
+
+void fits_node_free(struct fits_node *k)
+{
+    for (size_t i = 0; i < k->count; i++)
+        signature_free(&k->list[i].signature);
+    free(k->list);
 }
 
 static unsigned bucket(uint64_t a, uint64_t b, uint64_t c, uint64_t d)
@@ -76,10 +84,44 @@ static bool is_point_to_point(long context)
     return context >= NXM_FIRST_CONTEXT && (context - NXM_FIRST_CONTEXT) % 2 == 0;
 }
 
-static uint8_t class_of(const struct fits_node *k, const char *name)
+/* A persistent request of those that the call starts, for such messages; NULL: there is none. */
+static const struct request *started(const struct fits_node *k, bool sends, const struct selector *which)
 {
+    uintptr_t requests;
+    bool one = told_argument(k->call, "request", &requests);
+    int count = one ? 1 : told_int(k->call, "count", 0);
+    if (strncmp(k->call->name, "MPI_Start", sizeof "MPI_Start" - 1) != 0 ||
+        (!one && !told_argument(k->call, "requests", &requests)))
+        return NULL;
+    for (int i = 0; i < count; i++) {
+        const struct request *r =
+            (const struct request *)told_object(k->library, ((const uintptr_t *)requests)[i], REQUEST);
+        if (r && r->what == (sends ? SENDS : RECEIVES) && r->envelope.tag == which->type &&
+            r->envelope.node == which->node && r->envelope.context == which->pid)
+            return r;
+    }
+    return NULL;
+}
+
+/* What the call that the program is in sends or receives in messages of so many bytes. (Others are not the
+ * program's: of a window, or a file.) */
+static struct signature signature(const struct fits_node *k, bool sends, const struct selector *which,
+                                  size_t bytes)
+{
+    struct signature s = {0};
     uintptr_t type;
-    return k->call && told_argument(k->call, name, &type) ? (uint8_t)told_class(k->library, type) : NO_TYPE;
+    if (!k->call)
+        return s;
+    const struct request *r = started(k, sends, which);
+    if (r)
+        s = signature_of(k->library, r->count, (uintptr_t)r->type);
+    else if (!sends && told_argument(k->call, "as", &type))
+        s = signature_of(k->library, told_int(k->call, "room", 0), type);
+    else if (told_argument(k->call, "type", &type))
+        s = signature_of(k->library, told_int(k->call, "count", 0), type);
+    if (s.bytes != bytes)
+        signature_free(&s);
+    return s;
 }
 
 static struct mpi_place place_of(const struct fits_node *k, const struct node *n)
@@ -95,9 +137,11 @@ void fits_sends(struct fits_node *k, struct fits *f, struct node *n, const struc
         struct sent **end = &f->sent[bucket(n->id, m->to, (unsigned)m->type, (unsigned)m->pid)];
         while (*end)
             end = &(*end)->next;
+        const struct selector which = {m->type, (int)m->to, m->pid};
         *end = xcalloc(1, sizeof **end);
-        **end =
-            (struct sent){NULL, n->id, m->to, m->type, m->pid, m->bytes, class_of(k, "type"), place_of(k, n)};
+        **end = (struct sent){
+            NULL,          n->id, m->to, m->type, m->pid, m->bytes, signature(k, true, &which, m->bytes),
+            place_of(k, n)};
     }
 }
 
@@ -107,9 +151,7 @@ void fits_posts(struct fits_node *k, struct node *n, const struct receive *r)
         return;
     if (k->count == k->room)
         k->list = xreallocarray(k->list, k->room = k->room ? 2 * k->room : 8, sizeof *k->list);
-    uint8_t class = class_of(k, "as");
-    k->list[k->count++] =
-        (struct expected){r, place_of(k, n), class != NO_TYPE ? class : class_of(k, "type")};
+    k->list[k->count++] = (struct expected){r, place_of(k, n), signature(k, false, &r->select, r->room)};
 }
 
 static struct expected take_posted(struct fits_node *k, const struct receive *r)
@@ -120,28 +162,13 @@ static struct expected take_posted(struct fits_node *k, const struct receive *r)
             k->list[i] = k->list[--k->count];
             return p;
         }
-    return (struct expected){.class = NO_TYPE};
+    return (struct expected){0};
 }
 
 void fits_withdraws(struct fits_node *k, const struct receive *r)
 {
-    take_posted(k, r);
-}
-
-static const char *const classes[] = {
-    [NO_TYPE] = "bytes",
-    [WHOLE] = "integers",
-    [NATURAL] = "unsigned integers",
-    [REAL] = "reals",
-    [COMPLEX] = "complex numbers",
-    [LOGICAL] = "logicals",
-    [BITS] = "bytes",
-    [PAIR] = "pairs",
-};
-
-static bool classes_differ(uint8_t a, uint8_t b)
-{
-    return a != NO_TYPE && b != NO_TYPE && a != b;
+    struct expected p = take_posted(k, r);
+    signature_free(&p.signature);
 }
 
 static char *communicator(int context)
@@ -157,17 +184,35 @@ static char *communicator(int context)
 /* The receive of a message, with the message. */
 static void compare(const struct fits *f, const struct sent *s, const struct expected *p, size_t room)
 {
+    char *text = NULL, *kinds[2] = {0};
     bool too_long = s->bytes > room;
-    if (!p->place.call || (!too_long && !classes_differ(s->class, p->class)))
+    if (!p->place.call || (!too_long && !signatures_differ(&s->signature, &p->signature, kinds)))
         return;
     char *in = communicator(s->context);
-    char *text = too_long ? xasprintf("node %u sends %zu bytes, node %u has room for %zu, with tag %d in %s",
-                                      s->from, s->bytes, s->to, room, s->tag, in)
-                          : xasprintf("node %u sends %s, node %u receives %s, with tag %d in %s", s->from,
-                                      classes[s->class], s->to, classes[p->class], s->tag, in);
+    if (too_long)
+        text = xasprintf("node %u sends %zu bytes, node %u has room for %zu, with tag %d in %s", s->from,
+                         s->bytes, s->to, room, s->tag, in);
+    else
+        text = xasprintf("node %u sends %s, node %u receives %s, with tag %d in %s", s->from, kinds[0], s->to,
+                         kinds[1], s->tag, in);
     mpi_findings_add(f->all, too_long ? TOO_LONG : OTHER_TYPES, s->from, &s->place, &p->place, text);
     free(text);
+    free(kinds[0]);
+    free(kinds[1]);
     free(in);
+}
+
+/* The send of a message to a node; NULL: there is none. */
+static struct sent *take_sent(struct fits *f, const struct message *m, uint32_t to)
+{
+    struct sent **link = &f->sent[bucket(m->source, to, (unsigned)m->type, (unsigned)m->pid)];
+    while (*link && !((*link)->from == m->source && (*link)->to == to && (*link)->tag == m->type &&
+                      (*link)->context == m->pid))
+        link = &(*link)->next;
+    struct sent *s = *link;
+    if (s)
+        *link = s->next;
+    return s;
 }
 
 void fits_gives(struct fits_node *k, struct fits *f, struct node *n, const struct receive *r,
@@ -176,16 +221,13 @@ void fits_gives(struct fits_node *k, struct fits *f, struct node *n, const struc
     if (!is_point_to_point(m->pid))
         return;
     struct expected p = take_posted(k, r);
-    struct sent **link = &f->sent[bucket(m->source, n->id, (unsigned)m->type, (unsigned)m->pid)];
-    while (*link && !((*link)->from == m->source && (*link)->to == n->id && (*link)->tag == m->type &&
-                      (*link)->context == m->pid))
-        link = &(*link)->next;
-    struct sent *s = *link;
-    if (!s)
-        return;
-    *link = s->next;
-    compare(f, s, &p, r->buf ? r->room : m->bytes); /* MPI_Mprobe has no buffer yet */
-    free(s);
+    struct sent *s = take_sent(f, m, n->id);
+    if (s) {
+        compare(f, s, &p, r->buf ? r->room : m->bytes); /* MPI_Mprobe has no buffer yet */
+        signature_free(&s->signature);
+        free(s);
+    }
+    signature_free(&p.signature);
 }
 
 /* By sender, so that each run tells the same. */
@@ -251,10 +293,9 @@ static const struct {
 static void take_part(struct member *m, const struct fits_node *k, bool into)
 {
     uintptr_t type;
-    if (!told_argument(k->call, into ? "as" : "type", &type))
-        return;
-    m->bytes = (long)told_bytes(k->library, told_int(k->call, into ? "room" : "count", 0), type);
-    m->class = (uint8_t)told_class(k->library, type);
+    m->agrees = told_argument(k->call, into ? "as" : "type", &type);
+    if (m->agrees)
+        m->signature = signature_of(k->library, told_int(k->call, into ? "room" : "count", 0), type);
 }
 
 static bool is_in_place(const struct fits_node *k)
@@ -266,7 +307,7 @@ static bool is_in_place(const struct fits_node *k)
 static struct member member(const struct fits_node *k, const struct node *n, const struct comm *c,
                             enum part root, enum part others)
 {
-    struct member m = {n->id, mpi_place(n, k->call), told_int(k->call, "root", -1), 0, -1, NO_TYPE};
+    struct member m = {.node = n->id, .place = mpi_place(n, k->call), .root = told_int(k->call, "root", -1)};
     enum part part = m.root == c->local->rank ? root : others;
     told_argument(k->call, "op", &m.op);
     m.op = m.op < FIRST_HANDLE ? m.op : 0;
@@ -307,13 +348,19 @@ static char *differs(const struct member *a, const struct member *b, enum mpi_fi
     if (a->op && b->op && a->op != b->op)
         return xasprintf("%s on node %u, %s on node %u", ops_name(a->op), a->node, ops_name(b->op), b->node);
     *kind = OTHER_AMOUNTS;
-    if (a->bytes >= 0 && b->bytes >= 0 && a->bytes != b->bytes)
-        return xasprintf("%ld bytes on node %u, %ld on node %u", a->bytes, a->node, b->bytes, b->node);
+    if (!a->agrees || !b->agrees)
+        return NULL;
+    if (a->signature.bytes != b->signature.bytes)
+        return xasprintf("%zu bytes on node %u, %zu on node %u", a->signature.bytes, a->node,
+                         b->signature.bytes, b->node);
     *kind = OTHER_TYPES;
-    if (classes_differ(a->class, b->class))
-        return xasprintf("%s on node %u, %s on node %u", classes[a->class], a->node, classes[b->class],
-                         b->node);
-    return NULL;
+    char *kinds[2];
+    if (!signatures_differ(&a->signature, &b->signature, kinds))
+        return NULL;
+    char *text = xasprintf("%s on node %u, %s on node %u", kinds[0], a->node, kinds[1], b->node);
+    free(kinds[0]);
+    free(kinds[1]);
+    return text;
 }
 
 static void compare_members(struct mpi_findings *all, const struct collective *c, const struct member *m)
@@ -330,8 +377,8 @@ static void compare_members(struct mpi_findings *all, const struct collective *c
     free(how);
 }
 
-/* One of the communicator's members has come to a collective. */
-static void comes(struct fits *f, const struct comm *comm, const struct member *m)
+/* One of the communicator's members has come to a collective, which takes over its signature. */
+static void comes(struct fits *f, const struct comm *comm, struct member *m)
 {
     int number = comm->collectives + 1;
     struct collective **link = &f->collectives[bucket(0, 0, (unsigned)comm->context, (unsigned)number)];
@@ -342,11 +389,13 @@ static void comes(struct fits *f, const struct comm *comm, const struct member *
         **link = (struct collective){NULL, comm->context, number, 0, *m};
     } else {
         compare_members(f->all, *link, m);
+        signature_free(&m->signature);
     }
     struct collective *c = *link;
     if (++c->come < comm->local->size)
         return;
     *link = c->next;
+    signature_free(&c->first.signature);
     free(c);
 }
 

@@ -6,13 +6,14 @@
 #ifndef MPI_FITS_H
 #define MPI_FITS_H
 #include "mpi_api/checks/mpi_findings.h"
+#include "mpi_api/checks/signature.h"
 #include "os/observer.h"
 
 /* A receive that has no message yet. */
 struct expected {
     const struct receive *receive;
     struct mpi_place place;
-    uint8_t class; /* enum basic_class; NO_TYPE: of several, or not known */
+    struct signature signature;
 };
 
 /* Of one node; all 0 at first. */
@@ -22,6 +23,8 @@ struct fits_node {
     struct expected *list;
     size_t count, room;
 };
+
+void fits_node_free(struct fits_node *k);
 
 struct fits;
 struct fits *fits_new(struct mpi_findings *all);

@@ -132,6 +132,6 @@ void mpi_checks_end(struct mpi_checks *all, struct node *n)
         return;
     observer_remove(n, &k->observer);
     leftovers_free(&k->leftovers);
-    free(k->fits.list);
+    fits_node_free(&k->fits);
     free(k);
 }

@@ -81,7 +81,8 @@ struct basic {
     uint8_t bytes, class; /* PAIR: a value and an int behind it, in so many bytes */
     uint8_t value;        /* PAIR: bytes of the value */
 };
-enum { FIRST_BASIC = 0x200, BASICS = 0xf2 };
+/* Those with names, and behind them those that type_kinds.c makes. */
+enum { FIRST_BASIC = 0x200, NAMED = 0xf2, MOST_KINDS = 128, BASICS = NAMED + MOST_KINDS };
 
 /* --- requests --- */
 
@@ -112,6 +113,42 @@ struct request {
     void *extra;
     struct task *task; /* of a collective */
     struct prepared *prepared;
+};
+
+/* --- windows --- */
+
+struct remote {
+    MPI_Aint size;
+    int unit;
+};
+
+struct win_server;
+struct access;
+struct pending;
+struct win {
+    struct object object;
+    struct comm *comm; /* its own */
+    int flavor, unit;
+    char *base;
+    MPI_Aint size;
+    bool allocated;        /* base is the window's own */
+    struct remote *remote; /* of each rank */
+    MPI_Errhandler handler;
+    MPI_Info info;
+    struct attribute *attributes;
+    char *name;
+    /* active */
+    bool fenced;
+    struct group *started, *posted;
+    int missing;           /* ranks that have begun, and not completed */
+    struct task *exposure; /* while posted: serves accesses */
+    struct access *kept, **last_kept;
+    /* passive */
+    int *locked; /* of each rank: 0, or the kind of lock */
+    int locks;   /* so many ranks are locked */
+    bool all;    /* all ranks: each is locked when it is first accessed */
+    struct win_server *server;
+    struct pending *pending, **last_pending;
 };
 
 /* --- all of it --- */

@@ -131,6 +131,17 @@ struct object *told_object(const struct nxm_library *l, uintptr_t handle, enum k
     return o && o->kind == kind ? o : NULL;
 }
 
+const struct basic *told_basic(const struct nxm_library *l, uintptr_t type)
+{
+    uintptr_t i = type - FIRST_BASIC;
+    return i < BASICS && l->basics[i].class ? &l->basics[i] : NULL;
+}
+
+const struct type *told_type(const struct nxm_library *l, uintptr_t type)
+{
+    return (const struct type *)told_object(l, type, TYPE);
+}
+
 const struct comm *told_comm(const struct nxm_library *l, const struct nxm_told *c)
 {
     uintptr_t handle;
@@ -161,6 +172,7 @@ void node_nxm_begins(const struct nxm_told *c, struct nxm_library *library)
 {
     struct node *n = node_self();
     library->told = n->asan || IS_HEARD(n, library_begins);
+    n->cold->mpi = library;
     if (n->asan)
         told_accesses(library, c, check_access, &(struct checked){n, c, __builtin_frame_address(0)});
     ANNOUNCE(n, library_begins, c, library);

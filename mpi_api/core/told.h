@@ -22,6 +22,9 @@ uintptr_t *told_pointer(const struct nxm_told *c, const char *type);
  * at least 64 bytes. */
 void told_stem(const struct nxm_told *c, char stem[64]);
 
+/* The datatype behind a handle: one of MPI's own, or made of others; NULL: it is none of these. */
+const struct basic *told_basic(const struct nxm_library *l, uintptr_t type);
+const struct type *told_type(const struct nxm_library *l, uintptr_t type);
 /* The object behind a handle; NULL: none of that kind. */
 struct object *told_object(const struct nxm_library *l, uintptr_t handle, enum kind kind);
 /* The communicator of the call; NULL: it has none. */

@@ -13,43 +13,11 @@ struct teller {
 
 /* --- elements --- */
 
-static const struct basic *basic_of(const struct nxm_library *l, uintptr_t type)
-{
-    uintptr_t i = type - FIRST_BASIC;
-    return i < BASICS && l->basics[i].class ? &l->basics[i] : NULL;
-}
-
-static const struct type *derived_of(const struct nxm_library *l, uintptr_t type)
-{
-    return (const struct type *)told_object(l, type, TYPE);
-}
-
 static MPI_Aint extent_of(const struct nxm_library *l, uintptr_t type)
 {
-    const struct basic *b = basic_of(l, type);
-    const struct type *t = b ? NULL : derived_of(l, type);
+    const struct basic *b = told_basic(l, type);
+    const struct type *t = b ? NULL : told_type(l, type);
     return b ? b->bytes : t ? t->ub - t->lb : 0;
-}
-
-size_t told_bytes(const struct nxm_library *l, int count, uintptr_t type)
-{
-    const struct basic *b = basic_of(l, type);
-    const struct type *t = b ? NULL : derived_of(l, type);
-    size_t one = b ? b->bytes : t ? t->size : 0;
-    return count > 0 ? (size_t)count * one : 0;
-}
-
-int told_class(const struct nxm_library *l, uintptr_t type)
-{
-    const struct basic *b = basic_of(l, type);
-    const struct type *t = b ? NULL : derived_of(l, type);
-    bool alike = t &&
-                 (t->combiner == MPI_COMBINER_CONTIGUOUS || t->combiner == MPI_COMBINER_VECTOR ||
-                  t->combiner == MPI_COMBINER_DUP) &&
-                 t->types == 1;
-    if (alike)
-        return told_class(l, (uintptr_t)t->type_list[0]);
-    return b && b->class != BITS && b->bytes > 1 ? b->class : NO_TYPE;
 }
 
 static void tell(const struct teller *t, struct told_access a)
@@ -80,8 +48,8 @@ static void tell_pieces(const struct teller *t, uintptr_t buf, int count, const 
 static void tell_elements(const struct teller *t, uintptr_t buf, int count, uintptr_t type, bool write,
                           bool exact)
 {
-    const struct basic *b = basic_of(t->l, type);
-    const struct type *d = b ? NULL : derived_of(t->l, type);
+    const struct basic *b = told_basic(t->l, type);
+    const struct type *d = b ? NULL : told_type(t->l, type);
     if (count <= 0 || buf == (uintptr_t)MPI_IN_PLACE)
         return;
     if (b)

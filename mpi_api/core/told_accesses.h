@@ -3,12 +3,6 @@
 #define MPI_TOLD_ACCESSES_H
 #include "mpi_api/core/told.h"
 
-/* The bytes of `count` elements of a type, as they are handed to the system. */
-size_t told_bytes(const struct nxm_library *l, int count, uintptr_t type);
-/* What kind of numbers a type has, of enum basic_class; NO_TYPE: several kinds, none that is known, or just
- * bytes. */
-int told_class(const struct nxm_library *l, uintptr_t type);
-
 /* Memory that a call reads or writes, or may until its request is done. `exact`: all of it; else as much as a
  * message has that comes. */
 struct told_access {

@@ -154,13 +154,16 @@ FORTRAN(get_address, (void *at, MPI_Aint *address, f_int *ierr))
     IERR = MPI_SUCCESS;
 }
 
-MPI_Aint mpi_aint_add_(MPI_Aint *base, MPI_Aint *displacement), mpi_aint_diff_(MPI_Aint *a, MPI_Aint *b);
-MPI_Aint mpi_aint_add_(MPI_Aint *base, MPI_Aint *displacement)
+MPI_Aint pmpi_aint_add_(MPI_Aint *base, MPI_Aint *displacement), pmpi_aint_diff_(MPI_Aint *a, MPI_Aint *b);
+MPI_Aint mpi_aint_add_(MPI_Aint *, MPI_Aint *) __attribute__((weak, alias("pmpi_aint_add_")));
+MPI_Aint mpi_aint_diff_(MPI_Aint *, MPI_Aint *) __attribute__((weak, alias("pmpi_aint_diff_")));
+
+MPI_Aint pmpi_aint_add_(MPI_Aint *base, MPI_Aint *displacement)
 {
     return *base + *displacement;
 }
 
-MPI_Aint mpi_aint_diff_(MPI_Aint *a, MPI_Aint *b)
+MPI_Aint pmpi_aint_diff_(MPI_Aint *a, MPI_Aint *b)
 {
     return *a - *b;
 }
@@ -208,9 +211,36 @@ FORTRAN(pack_external_size,
     free(text);
 }
 
+/* A variable as gfortran describes it where its type and rank may be any. */
+struct described {
+    void *base;
+    size_t offset, element_bytes;
+};
+
+FORTRAN(sizeof, (const struct described *x, f_int *size, f_int *ierr))
+{
+    *size = (f_int)x->element_bytes;
+    IERR = MPI_SUCCESS;
+}
+
 FORTRAN(type_match_size, (f_int * class, f_int *bytes, f_int *type, f_int *ierr))
 {
     NEW(MPI_Datatype, type, MPI_Type_match_size(*class, *bytes, &made));
+}
+
+FORTRAN(type_create_f90_real, (f_int * digits, f_int *range, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type, MPI_Type_create_f90_real(*digits, *range, &made));
+}
+
+FORTRAN(type_create_f90_complex, (f_int * digits, f_int *range, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type, MPI_Type_create_f90_complex(*digits, *range, &made));
+}
+
+FORTRAN(type_create_f90_integer, (f_int * range, f_int *type, f_int *ierr))
+{
+    NEW(MPI_Datatype, type, MPI_Type_create_f90_integer(*range, &made));
 }
 
 FORTRAN(type_get_contents, (f_int * type, f_int *most_ints, f_int *most_addresses, f_int *most_types,

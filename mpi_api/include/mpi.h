@@ -355,6 +355,8 @@ double PMPI_Wtime(void);
 double PMPI_Wtick(void);
 MPI_Aint MPI_Aint_add(MPI_Aint base, MPI_Aint displacement);
 MPI_Aint MPI_Aint_diff(MPI_Aint a, MPI_Aint b);
+MPI_Aint PMPI_Aint_add(MPI_Aint base, MPI_Aint displacement);
+MPI_Aint PMPI_Aint_diff(MPI_Aint a, MPI_Aint b);
 
 /* Handles as Fortran has them, and back. */
 #define MPI_DECLARE(type, name)                                                                              \

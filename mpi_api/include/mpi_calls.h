@@ -114,6 +114,9 @@ MPI_DECLARE(Type_get_true_extent, (MPI_Datatype type, MPI_Aint *lb, MPI_Aint *ex
 MPI_DECLARE(Type_get_extent_x, (MPI_Datatype type, MPI_Count *lb, MPI_Count *extent))
 MPI_DECLARE(Type_get_true_extent_x, (MPI_Datatype type, MPI_Count *lb, MPI_Count *extent))
 MPI_DECLARE(Type_match_size, (int kind, int size, MPI_Datatype *type))
+MPI_DECLARE(Type_create_f90_real, (int digits, int range, MPI_Datatype *type))
+MPI_DECLARE(Type_create_f90_complex, (int digits, int range, MPI_Datatype *type))
+MPI_DECLARE(Type_create_f90_integer, (int range, MPI_Datatype *type))
 MPI_DECLARE(Type_get_envelope, (MPI_Datatype type, int *ints, int *addresses, int *types, int *combiner))
 MPI_DECLARE(Type_get_contents, (MPI_Datatype type, int max_ints, int max_addresses, int max_types, int ints[],
                                 MPI_Aint addresses[], MPI_Datatype types[]))

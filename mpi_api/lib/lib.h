@@ -146,7 +146,7 @@ int attribute_delete_all(void *handle, struct attribute **list);
 
 /* --- datatypes --- */
 
-extern struct basic basic_types[BASICS]; /* constant, but READ_OFTEN */
+extern struct basic basic_types[BASICS]; /* those with names are constant */
 static inline const struct basic *type_basic(MPI_Datatype t)
 {
     uintptr_t i = (uintptr_t)t - FIRST_BASIC;

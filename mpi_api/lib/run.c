@@ -156,12 +156,15 @@ double PMPI_Wtick(void)
 double MPI_Wtime(void) __attribute__((weak, alias("PMPI_Wtime")));
 double MPI_Wtick(void) __attribute__((weak, alias("PMPI_Wtick")));
 
-MPI_Aint MPI_Aint_add(MPI_Aint base, MPI_Aint displacement)
+MPI_Aint PMPI_Aint_add(MPI_Aint base, MPI_Aint displacement)
 {
     return base + displacement;
 }
 
-MPI_Aint MPI_Aint_diff(MPI_Aint a, MPI_Aint b)
+MPI_Aint PMPI_Aint_diff(MPI_Aint a, MPI_Aint b)
 {
     return a - b;
 }
+
+MPI_Aint MPI_Aint_add(MPI_Aint base, MPI_Aint displacement) __attribute__((weak, alias("PMPI_Aint_add")));
+MPI_Aint MPI_Aint_diff(MPI_Aint a, MPI_Aint b) __attribute__((weak, alias("PMPI_Aint_diff")));

@@ -48,39 +48,6 @@ struct pending {
     MPI_Datatype as, whole; /* whole: pairs of this type, with their holes */
 };
 
-struct remote {
-    MPI_Aint size;
-    int unit;
-};
-
-struct task;
-struct win_server;
-struct win {
-    struct object object;
-    struct comm *comm; /* its own */
-    int flavor, unit;
-    char *base;
-    MPI_Aint size;
-    bool allocated;        /* base is the window's own */
-    struct remote *remote; /* of each rank */
-    MPI_Errhandler handler;
-    MPI_Info info;
-    struct attribute *attributes;
-    char *name;
-    /* active */
-    bool fenced;
-    struct group *started, *posted;
-    int missing;           /* ranks that have begun, and not completed */
-    struct task *exposure; /* while posted: serves accesses */
-    struct access *kept, **last_kept;
-    /* passive */
-    int *locked; /* of each rank: 0, or the kind of lock */
-    int locks;   /* so many ranks are locked */
-    bool all;    /* all ranks: each is locked when it is first accessed */
-    struct win_server *server;
-    struct pending *pending, **last_pending;
-};
-
 struct win *win_of(MPI_Win handle); /* NULL: none */
 int fail_win(struct win *w, int call, int code, const char *fmt, ...) __attribute__((format(printf, 4, 5)));
 int fail_no_win(int call);

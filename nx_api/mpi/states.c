@@ -85,7 +85,7 @@ static void write_messages(struct node *n, struct waitfor_node *node, FILE *f)
     struct waitfor_node list = {0};
     for (const struct message *m = mpi_mailbox_unexpected(n); m; m = m->next)
         waitfor_add_message(&list, &(struct waitfor_message){m->type, m->source, m->pid, m->bytes,
-                                                             WAITFOR_NEVER, WAITFOR_NEVER, false});
+                                                             WAITFOR_NEVER, WAITFOR_NEVER, false, false});
     if (list.message_count)
         fwrite(list.messages, sizeof *list.messages, list.message_count, f);
     node->message_count = list.message_count, node->more_messages = list.more_messages;

@@ -61,6 +61,7 @@ void waitfor_free(struct waitfor *w)
     free(w->texts->all);
     free(w->texts);
     free(w->nodes);
+    free(w->windows);
     free(w->cycle);
     free(w);
 }
@@ -104,6 +105,16 @@ void waitfor_add_taken(struct waitfor_node *n, const struct waitfor_taken *t)
 {
     n->taken = with_room(n->taken, n->taken_count, sizeof *t);
     n->taken[n->taken_count++] = *t;
+}
+
+/* (There are few.) */
+void waitfor_add_window(struct waitfor *w, long context, const char *name)
+{
+    for (size_t i = 0; i < w->window_count; i++)
+        if (w->windows[i].context == context)
+            return;
+    w->windows = with_room(w->windows, w->window_count, sizeof *w->windows);
+    w->windows[w->window_count++] = (struct waitfor_window){context, waitfor_text(w, name)};
 }
 
 void waitfor_add_frame(struct waitfor *w, struct waitfor_node *n, const char *line)

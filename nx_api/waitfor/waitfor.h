@@ -57,6 +57,7 @@ struct waitfor_message {
     size_t bytes;
     uint64_t sent_ps, came_ps; /* WAITFOR_NEVER: not known */
     bool held_back;            /* long, and there is no room for it: its sender still has it */
+    bool of_window;            /* MPI: the library has sent it, for a window */
 };
 
 /* A receive that is posted: irecv, or hrecv if it has a handler. */
@@ -131,6 +132,9 @@ struct waitfor_node {
     bool of_all;
     size_t to_bytes; /* of the send */
     bool to_held;    /* MPI: the send waits for its receive, not for room */
+    bool in_window;  /* MPI: the message is one of a window */
+    bool is_locked;  /* MPI: it waits for a lock, which node `holder` has */
+    long holder;
 
     bool masked, in_handler;
     uint32_t due;                        /* handlers that are to run, and cannot */
@@ -167,6 +171,11 @@ struct waitfor {
     uint32_t *cycle; /* a shortest cycle: each waits for the next, the last for the first. NULL: none */
     uint32_t cycle_count;
     bool knot; /* no cycle is there, but all that wait are a knot */
+    struct waitfor_window {
+        long context;
+        const char *name; /* NULL: none */
+    } * windows;          /* MPI's */
+    size_t window_count;
     struct waitfor_texts *texts;
 };
 
@@ -180,6 +189,8 @@ const char *waitfor_text(struct waitfor *w, const char *text);
 void waitfor_add_message(struct waitfor_node *n, const struct waitfor_message *m);
 void waitfor_add_receive(struct waitfor_node *n, const struct waitfor_receive *r);
 void waitfor_add_taken(struct waitfor_node *n, const struct waitfor_taken *t);
+/* A window of MPI's, by the process type of its messages, and its name; again, if it is there. */
+void waitfor_add_window(struct waitfor *w, long context, const char *name);
 /* The next frame of the stack, outwards. */
 void waitfor_add_frame(struct waitfor *w, struct waitfor_node *n, const char *line);
 

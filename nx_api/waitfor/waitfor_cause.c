@@ -19,7 +19,7 @@ bool waitfor_concerns(const struct waitfor_node *n, const struct waitfor_message
 /* Is the message of the kind for which the node waits: a program's own, or a collective's? */
 static bool is_alike(const struct waitfor_node *n, const struct waitfor_message *m)
 {
-    return !waitfor_operation(m->type) &&
+    return !waitfor_operation(m->type) && !m->of_window &&
            waitfor_is_collective(m->pid) == waitfor_is_collective(n->select.pid);
 }
 
@@ -94,6 +94,8 @@ static enum waitfor_cause of_mailbox(const struct waitfor_node *n)
 {
     if (any_message(n, is_held_back))
         return WAITFOR_BUFFERS_FULL;
+    if (n->in_window) /* what the library has received was for the library */
+        return WAITFOR_CAUSES;
     if (waitfor_held_by(n) || waitfor_taken_away(n))
         return WAITFOR_TAKEN;
     if (any_message(n, is_wrong_node))

@@ -9,6 +9,9 @@
 bool waitfor_is_mpi(long pid);
 /* What such messages call their type: "tag", or "collective". */
 const char *waitfor_mpi_type(long pid);
+/* Is the wait, in a window, one for the target's answer, as to a lock? */
+struct waitfor_select;
+bool waitfor_is_answer(const struct waitfor_select *s);
 /* "MPI_COMM_WORLD", "communicator 3", by the process type of its messages. */
 void waitfor_print_communicator(FILE *f, long context);
 #endif

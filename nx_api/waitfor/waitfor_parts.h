@@ -27,6 +27,8 @@ void waitfor_print_typesel(FILE *f, long typesel);
 /* Of MPI's: is this process type a communicator's? A message's tag, communicator and sender; what to do about
  * the wait, NULL: nothing of MPI's own. */
 void waitfor_print_mpi(FILE *f, const struct waitfor *w, long tag, long node, long pid);
+/* "the lock of node 1's memory in window 2: node 0 has it" */
+void waitfor_print_lock(FILE *f, const struct waitfor *w, const struct waitfor_node *n);
 const char *waitfor_mpi_remedy(const struct waitfor_node *n);
 void waitfor_print_node(FILE *f, const struct waitfor *w, long node);
 /* "29.456789 ms": the simulator writes moments in this way, too (sim/files/virtual_time.h). */

@@ -255,6 +255,12 @@ static void print_message_wait(FILE *f, const struct reasons *r, const struct wa
 {
     const struct waitfor *w = r->w;
     fputs("It waits for ", f);
+    if (n->is_locked) {
+        waitfor_print_lock(f, w, n);
+        print_state(f, n, &w->nodes[n->holder]);
+        fputc('.', f);
+        return;
+    }
     print_wanted(f, w, &n->select);
     if (n->who != WAITFOR_ONE_NODE) {
         print_any(f, r, n);

@@ -39,6 +39,8 @@ static void set(const struct waitfor *w, uint32_t living, struct waitfor_node *n
 {
     if (n->operation)
         n->who = WAITFOR_ALL_NODES;
+    else if (n->is_locked)
+        set_one(w, n, n->holder);
     else if (n->what == WAITFOR_MESSAGE && n->select.node != WAITFOR_ANY)
         set_one(w, n, n->select.node);
     else if (n->what == WAITFOR_BUFFER || (n->what == WAITFOR_END && n->to != WAITFOR_ANY))

@@ -5,6 +5,7 @@
 #include "guest/backtrace.h"
 #include "guest/image.h"
 #include "kernel/xalloc.h"
+#include "machine/waits_in_windows.h"
 #include "mpi_api/core/completion.h"
 #include "notes/taken.h"
 #include "nx_api/calls/awaited.h"
@@ -238,6 +239,7 @@ struct waitfor *waits_for(const struct node_system *s)
     if (s->host)
         fill(&f, s->host, &w->nodes[s->count]);
     backtrace_lines_free(f.lines);
+    waits_in_windows(s, w);
     waitfor_analyse(w);
     return w;
 }

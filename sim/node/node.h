@@ -33,6 +33,7 @@ struct node_region; /* node/self.h */
 struct node_system; /* what all nodes share: node/system.h */
 struct nxc_image;   /* nx_api/contract/program_image.h */
 struct observer;    /* hears of what happens to the node: os/observer.h */
+struct nxm_library; /* mpi_api/core/library.h */
 struct node_asan;   /* which memory its program may access: asan/node_asan.h */
 struct node_crash;  /* what is known of a program's crash: machine/crash.h */
 
@@ -233,12 +234,13 @@ struct node_cold {
     int32_t deferred_type[DEFERRED_MOST]; /* os: in node.call.type when the caller resumes, if it has any */
     struct deferred_cold *deferred;       /* os */
     struct own_calls own;
-    struct node_error *error; /* calls */
-    struct node_crash *crash; /* machine. NULL: none */
-    char name[16];            /* for people: "node 3", "host" */
-    int argc;                 /* guest */
-    char **argv;              /* guest: the program's, in its memory */
-    char **envp;              /* as the user has given it: own_memory.h */
+    struct node_error *error;      /* calls */
+    struct node_crash *crash;      /* machine. NULL: none */
+    char name[16];                 /* for people: "node 3", "host" */
+    int argc;                      /* guest */
+    char **argv;                   /* guest: the program's, in its memory */
+    char **envp;                   /* as the user has given it: own_memory.h */
+    const struct nxm_library *mpi; /* core: what the program has of MPI's objects. NULL: it has called none */
     struct node_refusal refusal;
     /* machine: where the calls under way return when the program has called exit, the innermost first; a 0
      * ends them early */

@@ -118,6 +118,23 @@ END
 run -q -n 3 --mpi-checks unfit count
 check "count: what differs" told "MPI: counts or datatypes differ: MPI_Bcast at" "16 bytes on node 0, 32 on node 1"
 
+build signatures -O2
+while IFS='|' read -r how calls detail; do
+    run -q -n 2 --mpi-checks signatures $how
+    check "$how: other kinds of numbers of the same length" told "MPI: datatypes differ: $calls" "$detail"
+    check "$how: it is told once" [ "$(grep -c MPI: err)" = 1 ]
+done <<END
+halves|MPI_Send at $(line signatures.c 'MPI_Send(') and MPI_Recv at|node 0 sends reals of 8 bytes, node 1 receives reals of 4 bytes, with tag 1
+behind|MPI_Send at|node 0 sends reals of 8 bytes as number 3, node 1 receives reals of 4 bytes as number 3
+bytes|MPI_Send at|node 0 sends integers, node 1 receives bytes
+start|MPI_Startall at|node 0 sends reals of 8 bytes, node 1 receives reals of 4 bytes
+all|MPI_Bcast at|reals of 8 bytes on node 0, reals of 4 bytes on node 1
+END
+run -m delta -n 2 signatures well
+times >plain
+same_times -m delta -n 2 --mpi-checks signatures well
+check "the same kinds by other datatypes: nothing is told" [ "$status:$(grep -c MPI: err)" = 0:0 ]
+
 bin/mpicc -O2 -g -o mpi_nodes "$tests/mpi_nodes.c"
 run -q -n 4 --mpi-checks mpi_nodes long
 check "a message too long: both calls" grep -qE 'MPI: message longer than its receive: MPI_[A-Z][a-z]+ at mpi_nodes\.c:[0-9]+ and MPI_Recv at mpi_nodes\.c:[0-9]+: node 0 sends 9 bytes, node 1 has room for 2, with tag 9 in MPI_COMM_WORLD' err

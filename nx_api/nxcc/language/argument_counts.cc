@@ -60,7 +60,8 @@ tree pointed_to(tree argument)
 }
 
 /* Can the first GIVEN be the program's arguments? Behind them there is a length, by value, for each CHARACTER
- * among them. An array that was allocated has lost its type here: it is one of CHARACTERs, or of others. */
+ * among them. An array that was allocated has lost its type here, and so has what is described for a routine
+ * that takes any type: it is one of CHARACTERs, or of others. */
 bool can_be_given(gcall *call, int given)
 {
     int all = gimple_call_num_args(call), lengths = all - given, characters = 0, unknown = 0;
@@ -70,7 +71,7 @@ bool can_be_given(gcall *call, int given)
             return false;
         if (i < given && type) {
             characters += TREE_CODE(type) == INTEGER_TYPE && TYPE_STRING_FLAG(type);
-            unknown += VOID_TYPE_P(type);
+            unknown += VOID_TYPE_P(type) || TREE_CODE(type) == RECORD_TYPE;
         }
     }
     return characters <= lengths && lengths <= characters + unknown;
