@@ -12,6 +12,7 @@
 #include "nx_api/driver/arguments.h"
 #include "nx_api/driver/call_counts.h"
 #include "nx_api/driver/command.h"
+#include "nx_api/driver/common_blocks.h"
 #include "nx_api/driver/dialect.h"
 #include "nx_api/driver/intel.h"
 #include "nx_api/driver/longs.h"
@@ -47,6 +48,8 @@ static void become(const struct arguments *user, const struct places *p, bool li
     }
     if (link) {
         int status = stubs_link(gcc, user, output_of(user));
+        if (!status)
+            common_blocks_check(output_of(user));
         if (!status)
             call_counts_check(output_of(user));
         if (!status && user->long32)
