@@ -193,6 +193,8 @@ static bool names_host_libraries(const char *option)
 static void add_users(struct arguments *a, const struct arguments *user, const struct places *p, bool link)
 {
     bool stand_ins = link && !user->mpi, fortran = has_kind(user, FORTRAN_FILE);
+    if (stand_ins)
+        add(a, "-Wl,--as-needed"); /* for reports: shared_names.c */
     for (int last = 0; last <= stand_ins; last++) {
         if (last)
             add(a, text("-L%s", p->lib));
