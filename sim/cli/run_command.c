@@ -13,6 +13,7 @@
 #include "cli/program_options.h"
 #include "cli/run_files.h"
 #include "cli/say.h"
+#include "guest/elffile.h"
 #include "guest/image.h"
 #include "cli/stop_options.h"
 #include "cli/timing_options.h"
@@ -387,6 +388,16 @@ static void warn_of_other_costs(const struct machine *m, const struct machine_op
     free(other);
 }
 
+/* Counts of a schedule mean other messages in another program, which mostly runs to its end all the same. */
+static void warn_of_other_program(const struct machine *m, const struct plan *plan)
+{
+    if (plan && plan->has_program && plan->program != elf_loaded_sum(node_image_elf(m->image)))
+        cli_say_warning("run",
+                        "%s was recorded of another program than %s, or of this one compiled otherwise: what "
+                        "it counts may be something else here",
+                        plan->path, node_image_path(m->image));
+}
+
 /* Runs the machine and reports; returns the exit status, in *ended_by the signal that ended the run, or 0. */
 static int run_machine(const struct arguments *a, const struct machine_options *o, int *ended_by)
 {
@@ -405,6 +416,7 @@ static int run_machine(const struct arguments *a, const struct machine_options *
         status = output_error(error);
     } else {
         warn_of_other_costs(m, o, a->quiet);
+        warn_of_other_program(m, a->plan);
         refuse_system_calls(a);
         machine_run(m);
         status = report_with_races(m, suppressed, a);
