@@ -39,14 +39,6 @@ static const char *output_of(const struct arguments *user)
     return "a.out";
 }
 
-/* (C programs whose makefiles name C++'s library do without it.) */
-static void explain_cplusplus(const struct arguments *user)
-{
-    for (size_t i = 0; i < user->count; i++)
-        if (!strcmp(user->gcc[i].text, "-lstdc++"))
-            fail("C++ programs cannot be made: a node has no C++ library; nxcc compiles C and Fortran");
-}
-
 /* Does not return, or returns when it is a dry run. */
 static void become(const struct arguments *user, const struct places *p, bool link)
 {
@@ -57,8 +49,6 @@ static void become(const struct arguments *user, const struct places *p, bool li
     }
     if (link) {
         int status = stubs_link(gcc, user, output_of(user));
-        if (status && !user->mpi)
-            explain_cplusplus(user);
         if (!status && !user->mpi)
             shared_names_check(output_of(user), text("%s/libnode.so", p->lib));
         if (!status)
