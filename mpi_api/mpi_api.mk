@@ -18,10 +18,14 @@ $(MPI_TELL): mpi_api/lib/tell.S
 	$(call say,AS,$@)
 	$(NODE_CC) -g $(PREFIX_MAP) -c -o $@ $<
 
+# Programs have functions and variables by names like `fail` and `comm_new`: the library's own, which MPI does not name, begin with nxmpi_
+# in the archive.
 $(NODE)/libmpi.a: $(MPI_LIB_OBJ) $(MPI_TELL)
 	$(call say,AR,$@)
-	@rm -f $@
-	ar rcs $@ $^
+	@rm -rf $@ $(NODE)/obj/libmpi && mkdir -p $(NODE)/obj/libmpi
+	nm -g --defined-only $^ | awk 'NF == 3 && $$3 ~ /^[a-z]/ && $$3 !~ /^(p?mpi_|nx)/ { print $$3, "nxmpi_" $$3 }' | sort -u >$(NODE)/obj/libmpi/own
+	for object in $^; do objcopy --redefine-syms=$(NODE)/obj/libmpi/own $$object $(NODE)/obj/libmpi/$${object##*/} || exit; done
+	ar rcs $@ $(addprefix $(NODE)/obj/libmpi/,$(notdir $^))
 
 $(NODE)/mpi_include/%.h: mpi_api/include/%.h
 	@mkdir -p $(@D)

@@ -125,7 +125,7 @@ static void refuse_cplusplus(const char *s)
 {
     static const char *const endings[] = {"cc", "C", "cpp", "cxx", "c++", "cp", "CPP", "ii", NULL};
     const char *dot = strrchr(s, '.');
-    if ((s[0] != '-' && dot && is_one_of(dot + 1, endings)) || !strcmp(s, "-lstdc++"))
+    if (s[0] != '-' && dot && is_one_of(dot + 1, endings))
         fail("%s: C++ programs cannot be made: a node has no C++ library; nxcc compiles C and Fortran", s);
 }
 

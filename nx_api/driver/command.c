@@ -166,8 +166,10 @@ static void add_link(struct arguments *a, const struct places *p)
     add(a, text("%s/runtime%s.o", p->lib, kind));
     if (a->kmath)
         add(a, text("%s/libkmath.a", p->lib));
-    if (a->mpi_program)
+    if (a->mpi_program) {
         add(a, text("%s/libmpi.a", p->lib));
+        add(a, "-Wl,-u,nxm_number"); /* by which main's value is known to be a status: machine.c */
+    }
     add(a, text("%s/libxdr.a", p->lib));
     add(a, text("%s/libnx%s%s.a", p->lib, kind, a->profile ? "_profile" : ""));
     const char *libgfortran = text("%s/libgfortran.a", p->lib);
@@ -193,6 +195,8 @@ static bool names_host_libraries(const char *option)
 static void add_users(struct arguments *a, const struct arguments *user, const struct places *p, bool link)
 {
     bool stand_ins = link && !user->mpi, fortran = has_kind(user, FORTRAN_FILE);
+    if (stand_ins)
+        add(a, "-Wl,--as-needed"); /* for reports: shared_names.c */
     for (int last = 0; last <= stand_ins; last++) {
         if (last)
             add(a, text("-L%s", p->lib));

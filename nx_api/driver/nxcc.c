@@ -12,11 +12,13 @@
 #include "nx_api/driver/arguments.h"
 #include "nx_api/driver/call_counts.h"
 #include "nx_api/driver/command.h"
+#include "nx_api/driver/common_blocks.h"
 #include "nx_api/driver/dialect.h"
 #include "nx_api/driver/intel.h"
 #include "nx_api/driver/longs.h"
 #include "nx_api/driver/mpi_kind.h"
 #include "nx_api/driver/places.h"
+#include "nx_api/driver/shared_names.h"
 #include "nx_api/driver/stubs.h"
 #include "nx_api/driver/text.h"
 
@@ -47,6 +49,10 @@ static void become(const struct arguments *user, const struct places *p, bool li
     }
     if (link) {
         int status = stubs_link(gcc, user, output_of(user));
+        if (!status && !user->mpi)
+            shared_names_check(output_of(user), text("%s/libnode.so", p->lib));
+        if (!status)
+            common_blocks_check(output_of(user));
         if (!status)
             call_counts_check(output_of(user));
         if (!status && user->long32)

@@ -245,6 +245,13 @@ static const char *advice(const struct names *n, const struct arguments *user)
     return "is the spelling right? doc/mpi-programs.md says which calls of MPI there are";
 }
 
+/* Does the linker miss what is C++'s? (C programs whose makefiles name C++'s library do without it.) */
+static bool misses_cplusplus(const char *said)
+{
+    return strstr(said, "`std::") || strstr(said, "'std::") || strstr(said, "__cxa_") ||
+           strstr(said, "__gxx_personality");
+}
+
 int stubs_link(const char **gcc, const struct arguments *user, const char *program)
 {
     int status;
@@ -259,7 +266,10 @@ int stubs_link(const char **gcc, const struct arguments *user, const char *progr
         return status;
     }
     fputs(said, stderr);
-    if (n.count) {
+    if (status && !user->mpi && misses_cplusplus(said)) {
+        fputs("nxcc: C++ programs cannot be made: a node has no C++ library; nxcc compiles C and Fortran\n",
+              stderr);
+    } else if (n.count) {
         fprintf(stderr, "nxcc: %s do not have ", who);
         print_names(&n);
         fprintf(stderr,

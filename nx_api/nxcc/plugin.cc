@@ -18,6 +18,7 @@
 #include "counting/call_free.h"
 #include "base/costs.h"
 #include "counting/count.h"
+#include "language/common_sizes.h"
 #include "language/data_names.h"
 #include "counting/late_inline.h"
 #include "language/long32.h"
@@ -225,6 +226,7 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
     redeclare_register(info->base_name);
     statics_register(info->base_name);
     long_abi_register(info->base_name, a.long32);
+    common_sizes_register(info->base_name);
     data_names_register(info->base_name);
     argument_counts_register(info->base_name);
     if (a.poll) {

@@ -13,6 +13,7 @@
 #include "cli/program_options.h"
 #include "cli/run_files.h"
 #include "cli/say.h"
+#include "guest/elffile.h"
 #include "guest/image.h"
 #include "cli/stop_options.h"
 #include "cli/timing_options.h"
@@ -35,12 +36,13 @@
 
 enum { EXIT_FINDINGS = 3, EXIT_OUTPUT = 74 };
 
-enum { SLICE = CLI_KEY, SHUFFLE, TRACE_FROM, TRACE_TO, TRACE_NODES, GDB, AT, LAYER };
+enum { SLICE = CLI_KEY, SHUFFLE, TRACE_FROM, TRACE_TO, TRACE_NODES, GDB, AT, LAYER, UNRECEIVED };
+enum { MOST_UNRECEIVED_MB = 1 << 20 };
 
 struct arguments {
     struct cli_program what;
     const char *json, *deadlock, *races, *sarif, *suppress, *profile, *history, *cfs, *engine;
-    uint32_t workers, shuffle;
+    uint32_t workers, shuffle, unreceived_mb;
     double slice_s;
     bool quiet, verbose, isolate, mpi_checks, sensitivity;
     struct run_trace_options trace; /* path NULL: no trace */
@@ -90,6 +92,10 @@ static const struct argp_option OPTIONS[] = {
     {"quiet", 'q', NULL, 0, "No summary", 0},
     {"verbose", 'v', NULL, 0,
      "Add to the summary what the simulator's threads did, and where the program was found", 0},
+    {"max-unreceived", UNRECEIVED, "MB", 0,
+     "Stop when messages that no receive takes fill so much of a node; default 4 times its memory, at most "
+     "1024",
+     3},
     {NULL, 0, NULL, 0, "Debugger (gdb --args touchstone run ... works, too):", 5},
     {"gdb", GDB, "NODE", 0, "Start gdb, and stop at the beginning of main on NODE, a number or 'host'", 0},
     {"at", AT, "TIME", 0, "With --gdb: stop at the virtual time TIME instead, such as 1.5s, 12ms, 3us", 0},
@@ -204,6 +210,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->workers = cli_whole(state, "-w", "a number of threads", CLI_MOST_WORKERS, arg);
     else if (key == SHUFFLE)
         a->shuffle = cli_whole(state, "--shuffle", "a seed", UINT32_MAX, arg);
+    else if (key == UNRECEIVED)
+        a->unreceived_mb = cli_whole(state, "--max-unreceived", "a number of MB", MOST_UNRECEIVED_MB, arg);
     else if (key == SLICE)
         a->slice_s = cli_seconds(state, "--slice", arg);
     else if (key == TRACE_FROM)
@@ -339,6 +347,7 @@ static struct machine_options options_of(struct arguments *a, const struct cfg_m
                                 .envp = environ,
                                 .max_virtual_s = a->what.max_virtual_s,
                                 .max_wall_s = a->what.max_wall_s,
+                                .max_unreceived = (size_t)a->unreceived_mb << 20,
                                 .slice_s = a->slice_s,
                                 .workers = cli_workers(a->workers),
                                 .shuffle = a->shuffle,
@@ -387,6 +396,16 @@ static void warn_of_other_costs(const struct machine *m, const struct machine_op
     free(other);
 }
 
+/* Counts of a schedule mean other messages in another program, which mostly runs to its end all the same. */
+static void warn_of_other_program(const struct machine *m, const struct plan *plan)
+{
+    if (plan && plan->has_program && plan->program != elf_loaded_sum(node_image_elf(m->image)))
+        cli_say_warning("run",
+                        "%s was recorded of another program than %s, or of this one compiled otherwise: what "
+                        "it counts may be something else here",
+                        plan->path, node_image_path(m->image));
+}
+
 /* Runs the machine and reports; returns the exit status, in *ended_by the signal that ended the run, or 0. */
 static int run_machine(const struct arguments *a, const struct machine_options *o, int *ended_by)
 {
@@ -405,6 +424,7 @@ static int run_machine(const struct arguments *a, const struct machine_options *
         status = output_error(error);
     } else {
         warn_of_other_costs(m, o, a->quiet);
+        warn_of_other_program(m, a->plan);
         refuse_system_calls(a);
         machine_run(m);
         status = report_with_races(m, suppressed, a);

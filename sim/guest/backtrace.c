@@ -24,22 +24,38 @@ bool backtrace_in_stack(const struct node *n, uintptr_t address)
            lies_in(address, n->guest.heap_start, n->memory.heap);
 }
 
+/* A frame's return address; *frame becomes the caller's frame, 0 behind the last. False: there is none. */
+static bool next_call(const struct node *n, uintptr_t *frame, uintptr_t *returns)
+{
+    uintptr_t at = *frame;
+    if (at % sizeof at != 0 || !backtrace_in_stack(n, at))
+        return false;
+    *returns = ((uintptr_t *)at)[1];
+    *frame = ((uintptr_t *)at)[0] > at ? ((uintptr_t *)at)[0] : 0;
+    return true;
+}
+
 int backtrace_walk(const struct node *n, uintptr_t frame, uintptr_t *returns, int most)
 {
     int depth = 0;
-    while (depth < most && frame % sizeof frame == 0 && backtrace_in_stack(n, frame)) {
-        uintptr_t next = ((uintptr_t *)frame)[0];
-        returns[depth++] = ((uintptr_t *)frame)[1];
-        if (next <= frame)
-            break;
-        frame = next;
-    }
+    while (depth < most && next_call(n, &frame, &returns[depth]))
+        depth++;
     return depth;
 }
 
 bool backtrace_in_program(const struct node *n, uintptr_t address)
 {
     return address - (uintptr_t)n->guest.program < n->guest.image_bytes;
+}
+
+int backtrace_program_calls(const struct node *n, uintptr_t frame, void **returns, int most)
+{
+    int depth = 0;
+    uintptr_t address;
+    while (depth < most && next_call(n, &frame, &address))
+        if (backtrace_in_program(n, address))
+            returns[depth++] = (void *)address;
+    return depth;
 }
 
 static bool print_call(FILE *f, const struct node *n, const char *how, uintptr_t address)

@@ -11,6 +11,9 @@ bool backtrace_in_stack(const struct node *n, uintptr_t address);
  * in a signal handler. */
 int backtrace_walk(const struct node *n, uintptr_t frame, uintptr_t *returns, int most);
 bool backtrace_in_program(const struct node *n, uintptr_t address);
+/* As backtrace_walk(), but only addresses in the program: what lies between two of its functions, where a
+ * handler has interrupted, is left out. */
+int backtrace_program_calls(const struct node *n, uintptr_t frame, void **returns, int most);
 /* Prints calls by their addresses, the innermost first: a newline and "  HOW FUNCTION (FILE:LINE)" for the
  * first, then "  called from ..."; nothing for an address outside of the program. */
 void backtrace_print(FILE *f, const struct node *n, const char *how, const uintptr_t *addresses, int count);

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <zlib.h>
 #include "kernel/xalloc.h"
 #include "guest/elffile.h"
 #include "nx_api/contract/costs_mark.h"
@@ -224,6 +225,15 @@ const void *elf_at(const struct elf_file *f, uint64_t vaddr, uint64_t bytes)
 const char *elf_name(const struct elf_symbols *t, const Elf64_Sym *s)
 {
     return s->st_name < t->names_size ? t->names + s->st_name : "";
+}
+
+uint32_t elf_loaded_sum(const struct elf_file *f)
+{
+    uLong sum = crc32(0, NULL, 0);
+    for (size_t i = 0; i < f->load_count; i++)
+        if (f->loads[i].p_offset != 0)
+            sum = crc32_z(sum, f->bytes + f->loads[i].p_offset, f->loads[i].p_filesz);
+    return (uint32_t)sum;
 }
 
 const Elf64_Sym *elf_defined(const struct elf_symbols *t, const char *name)

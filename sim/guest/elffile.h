@@ -47,6 +47,10 @@ void elf_close(struct elf_file *f);
  * all. */
 const void *elf_at(const struct elf_file *f, uint64_t vaddr, uint64_t bytes);
 
+/* Tells programs apart: a checksum of what is loaded, without the part that has the file's head, its notes
+ * and symbols. The same for a program with and without debugging information. */
+uint32_t elf_loaded_sum(const struct elf_file *f);
+
 /* The name of a symbol; "" if it has none. */
 const char *elf_name(const struct elf_symbols *t, const Elf64_Sym *s);
 /* The defined symbol of a name; NULL if there is none. */

@@ -73,7 +73,12 @@ static __attribute__((noinline)) void note_place(struct lp *lp, uintptr_t at)
 {
     if (!lp->places)
         lp->places = xcalloc(1, sizeof *lp->places);
-    lp->places->place[lp->places->count++ % LP_PLACES] = (struct lp_place){lp->clock.units, at};
+    struct lp_places *p = lp->places;
+    const struct lp_place *before = p->count ? &p->place[(p->count - 1) % LP_PLACES] : NULL;
+    struct lp_place place = {.units = lp->clock.units, .at = at, .since = lp->clock.units, .same = 1};
+    if (before && before->at == at && before->units > lp->segment.begun)
+        place.since = before->since, place.same = before->same + 1;
+    p->place[p->count++ % LP_PLACES] = place;
 }
 
 void clock_reach_boundary(struct lp *lp, uintptr_t at)
@@ -89,21 +94,34 @@ void clock_take_lookahead(struct lp *lp)
         clock_set_lookahead(lp, (uint64_t)(lp->clock.granted - *lp->lookahead));
 }
 
-uintptr_t clock_last_place(const struct lp *lp)
+/* Of clock_last_place(): the place. NULL: there is none. */
+static const struct lp_place *last_place(const struct lp *lp)
 {
     const struct lp_places *p = lp->places;
     for (uint32_t i = 0; p && i < p->count && i < LP_PLACES; i++) {
         const struct lp_place *place = &p->place[(p->count - 1 - i) % LP_PLACES];
         if (place->units <= lp->clock.units)
-            return place->units >= lp->segment.committed ? place->at : 0;
+            return place->units >= lp->segment.committed ? place : NULL;
     }
-    return 0;
+    return NULL;
+}
+
+uintptr_t clock_last_place(const struct lp *lp)
+{
+    const struct lp_place *place = last_place(lp);
+    return place ? place->at : 0;
 }
 
 /* When the program, which only computes, will have spent so many units, or had. */
 static vtime clock_at(const struct lp *lp, uint64_t units)
 {
     return lp->clock.now + clock_of_units(lp, units) - clock_of_units(lp, lp->clock.units);
+}
+
+vtime clock_in_loop_since(const struct lp *lp)
+{
+    const struct lp_place *place = last_place(lp);
+    return place && place->same >= LP_LOOP ? clock_at(lp, place->since) : VT_NEVER;
 }
 
 vtime clock_when(const struct lp *lp, uint64_t units)

@@ -75,9 +75,11 @@ struct lp_segment {
 /* Where a program was at a slice boundary. */
 struct lp_place {
     uint64_t units;
-    uintptr_t at; /* behind the poll */
+    uintptr_t at;   /* behind the poll */
+    uint64_t since; /* the first of the places in a row, in this segment, that are the same; */
+    uint32_t same;  /* how many they are, with this one */
 };
-enum { LP_PLACES = 16 };
+enum { LP_PLACES = 16, LP_LOOP = 4 };
 
 /* The latest places, a ring. Most programs never come to a slice boundary. */
 struct lp_places {

@@ -16,6 +16,7 @@
 #include "machine/assemble.h"
 #include "machine/cube.h"
 #include "net/protocol_record.h"
+#include "os/flood.h"
 #include "replay/numbering.h"
 #include "replay/orders.h"
 #include "mpi_api/checks/mpi_checks.h"
@@ -177,6 +178,7 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     s->cfg = options->cfg;
     s->count = s->running = nodes_of(options);
     s->schedule.max_time = limit_of(options);
+    s->most_unreceived = flood_limit(options->max_unreceived, options->cfg->memory_bytes);
     s->schedule.longest_slice = options->slice_s > 0 ? (vtime)(options->slice_s * (double)VT_SECOND) : 0;
     s->history = options->history;
     s->guards = NODE_GUARDS_ALL;

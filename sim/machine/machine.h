@@ -14,13 +14,14 @@ struct machine_options {
     const char *program; /* with host: what the host program may load by name alone; NULL: nothing */
     int argc;            /* arguments of the program; argv[0] is its path */
     char **argv, **envp;
-    double max_virtual_s; /* 0: none */
-    vtime until;          /* the run stops then, and reports where the nodes are; 0: at no time */
-    double max_wall_s;    /* 0: none */
-    double slice_s;       /* longest slice of computing; 0: no slices. For tests: changes no result */
-    unsigned workers;     /* threads in all; 0 or 1: one. Changes no result */
-    uint64_t shuffle;     /* not 0: seeds random choices of the threads, for tests. Changes no result */
-    bool progress;        /* err is a terminal, which is to show how far the run has come */
+    double max_virtual_s;  /* 0: none */
+    vtime until;           /* the run stops then, and reports where the nodes are; 0: at no time */
+    double max_wall_s;     /* 0: none */
+    size_t max_unreceived; /* bytes of messages that may wait in a node; 0: the usual, os/flood.h */
+    double slice_s;        /* longest slice of computing; 0: no slices. For tests: changes no result */
+    unsigned workers;      /* threads in all; 0 or 1: one. Changes no result */
+    uint64_t shuffle;      /* not 0: seeds random choices of the threads, for tests. Changes no result */
+    bool progress;         /* err is a terminal, which is to show how far the run has come */
     /* A debugger is attached: it is told of the programs, each of which has a thread; one of them runs at a
      * time, and there is no limit of real time. Changes no result. */
     bool debugged;

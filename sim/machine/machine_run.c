@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include "guest/backtrace.h"
 
+#include "guest/elffile.h"
+#include "guest/image.h"
 #include "guest/libc/libc.h"
 #include "guest/refusal.h"
 #include "kernel/hostclock.h"
@@ -89,7 +91,8 @@ static void begin_schedule(const struct machine *m)
     if (!m->sys.numbering || !m->sys.numbering->out)
         return;
     char *drawn = m->options.draw ? draw_text(m->options.draw) : NULL;
-    schedule_record_begin(&m->sys, drawn);
+    schedule_record_begin(&m->sys, drawn, node_image_path(m->image),
+                          elf_loaded_sum(node_image_elf(m->image)));
     free(drawn);
 }
 

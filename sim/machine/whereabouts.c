@@ -16,6 +16,8 @@
 
 /* More nodes are grouped by their states. */
 enum { MOST_ALONE = 16 };
+/* A loop is named that has had such a part of the node's time. */
+enum { LEAST_LOOP = 10 };
 
 /* What a program does; two that do the same have equal text, line and kind. */
 struct where {
@@ -74,6 +76,17 @@ static const char *line_of(const struct node *n, struct backtrace_lines *lines)
     return is_from_outside(stop) ? backtrace_line_away(lines, n) : NULL;
 }
 
+/* Since when a node's program has been in one loop without a call, at least; VT_NEVER: not for a tenth of its
+ * time. (Else a loop that is just under way would be named in each report of a program that computes.) */
+static vtime in_loop_since(const struct node *n)
+{
+    const enum stop stop = n->sys->schedule.stop;
+    if (stop != STOP_VIRTUAL_TIME && !is_from_outside(stop))
+        return VT_NEVER;
+    vtime since = clock_in_loop_since(&n->lp), now = n->lp.clock.now;
+    return since != VT_NEVER && now - since >= now / LEAST_LOOP ? since : VT_NEVER;
+}
+
 static struct where where_is(const struct node *n, struct backtrace_lines *lines)
 {
     struct where w = {.line = line_of(n, lines), .since = n->call.since};
@@ -87,7 +100,10 @@ static struct where where_is(const struct node *n, struct backtrace_lines *lines
             snprintf(w.text, sizeof w.text, "ended");
         w.ended = true, w.since = n->stats.ended_at;
     } else if (!n->call.name) {
-        snprintf(w.text, sizeof w.text, "computing%s", handler);
+        w.since = in_loop_since(n);
+        w.timed = w.since != VT_NEVER;
+        snprintf(w.text, sizeof w.text, "computing%s%s", w.timed ? " in one loop, without a call," : "",
+                 handler);
     } else if (n->call.since == VT_NEVER) {
         snprintf(w.text, sizeof w.text, "before %s%s", n->call.name, handler);
     } else {

@@ -50,6 +50,8 @@ struct node_system {
     bool main_tells;      /* what main returns is as if it called exit with that: of MPI programs */
     uint32_t await_ends;  /* os: of them are in calls that wait for another's end */
 
+    size_t most_unreceived; /* bytes of messages that may wait in a node: os/flood.h */
+
     /* os: the first failure, for the user; NULL none */
     char *failure;
 

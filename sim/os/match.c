@@ -5,6 +5,7 @@
 #include "node/system.h"
 #include "os/charge.h"
 #include "os/due.h"
+#include "os/flood.h"
 #include "os/memory.h"
 #include "os/observer.h"
 #include "os/order_policy.h"
@@ -55,6 +56,7 @@ static void buffer(struct node *n, struct message *m)
     m->buffered = true;
     n->memory.buffered += m->bytes;
     node_memory_changed(n);
+    flood_check(n, m);
 }
 
 static bool room_for(struct node *n, const struct message *m)

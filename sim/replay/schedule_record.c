@@ -2,6 +2,7 @@
 #include "replay/schedule_record.h"
 #include <inttypes.h>
 #include <stdlib.h>
+#include <string.h>
 #include "kernel/xalloc.h"
 #include "os/order.h"
 
@@ -59,13 +60,16 @@ static void put_timing(const struct node_system *s, uint32_t index, uint32_t tim
     }
 }
 
-void schedule_record_begin(const struct node_system *s, const char *drawn)
+void schedule_record_begin(const struct node_system *s, const char *drawn, const char *file, uint32_t program)
 {
+    const char *slash = strrchr(file, '/');
     const struct numbering *b = s->numbering;
     fprintf(b->out, "touchstone-schedule 1\n");
     if (drawn)
         fprintf(b->out, "# --timing %s\n", drawn);
-    fprintf(b->out, "nodes %u\n%s\n", b->nodes, b->plan ? "orders" : "delays");
+    fprintf(b->out, "program %" PRIu32, program);
+    put_text(b->out, "file", slash ? slash + 1 : file);
+    fprintf(b->out, "\nnodes %u\n%s\n", b->nodes, b->plan ? "orders" : "delays");
     for (uint32_t i = 0; i < b->nodes + (s->host != NULL) && s->timing; i++)
         put_timing(s, i, i == b->nodes ? TIMING_HOST : i);
 }

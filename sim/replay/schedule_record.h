@@ -4,8 +4,10 @@
 #define REPLAY_SCHEDULE_RECORD_H
 #include "replay/numbering.h"
 
-/* The head of the file. usual: `drawn` is NULL; else the text of --timing that the delays are drawn by. */
-void schedule_record_begin(const struct node_system *s, const char *drawn);
+/* The head of the file. usual: `drawn` is NULL; else the text of --timing that the delays are drawn by.
+ * program: its file, and its number of elf_loaded_sum(). */
+void schedule_record_begin(const struct node_system *s, const char *drawn, const char *file,
+                           uint32_t program);
 /* The run is over: messages that nobody has received. */
 void schedule_record_end(const struct node_system *s);
 

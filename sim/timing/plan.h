@@ -38,6 +38,8 @@ struct plan {
     char *path;  /* of the file, for errors */
     bool orders; /* what its lines match and handler say must happen */
     bool delays; /* they only tell of a run that the delays repeat */
+    bool has_program;
+    uint32_t program; /* the number of the program that was recorded: elf_loaded_sum(), guest/elffile.h */
     uint32_t nodes;
     struct plan_node *node; /* nodes, and the host behind them */
 };

@@ -102,6 +102,17 @@ static bool read_nodes(struct reader *r)
     return true;
 }
 
+static bool read_program(struct reader *r)
+{
+    uint64_t number;
+    if (r->plan->has_program)
+        return fail(r, "program: stands twice");
+    if (!number_at(r, 1, "the number of a program", UINT32_MAX, &number))
+        return false;
+    r->plan->program = (uint32_t)number;
+    return r->plan->has_program = true;
+}
+
 /* What the lines match and handler are for. */
 static bool read_use(struct reader *r)
 {
@@ -220,6 +231,7 @@ static const struct line_kind {
     const char *form;
     bool (*read)(struct reader *r);
 } LINES[] = {{"nodes", 2, "nodes COUNT", read_nodes},
+             {"program", 2, "program NUMBER", read_program},
              {"orders", 1, "orders", read_use},
              {"delays", 1, "delays", read_use},
              {"speed", 3, "speed NODE PPM", read_speed},

@@ -51,3 +51,33 @@ check "memory: the crash of a program that does not look says what was short" sa
 run -n 2 flood
 check "flood: messages fill the receiver's memory, and the sender waits" ended_with 2
 check "flood: the sender is named" said '^  node 0: csend\(5\) since'
+
+# --- short messages find room, but not for ever ---
+cat >floods.c <<'E'
+#include <nx.h>
+int main(int argc, char **argv)
+{
+    long x = 0;
+    while (mynode() != 1)
+        csend(5, &x, sizeof x, 1, 0);
+    if (argc == 1)
+        crecv(6, &x, sizeof x);
+    return 0;
+}
+E
+"$BUILD/nxcc" -O2 -g -o floods floods.c
+for how in "" "--engine reference" "-w 3"; do
+    # shellcheck disable=SC2086
+    run -q -n 2 $how floods
+    check "short messages for ever, $how: an error" ended_with 1
+    check "short messages for ever, $how: how many, which, from whom" \
+        said '^touchstone run: node 1 is flooded: at 20\.33[0-9]* s, 493448 messages of 3947592 bytes .* 493448 of them are of type 5, 493448 of these from node 0$'
+    check "short messages for ever, $how: what the receiver waits in, and where" \
+        eval "said '^  node 1 waits in crecv\\(6\\) since' && said 'called from main.*\\(floods.c:8\\)'"
+done
+run -q -n 2 --max-unreceived 1 floods
+check "--max-unreceived: so much, and 128 bytes for each" said '^touchstone run: node 1 is flooded: at .* ms, 77[0-9]* messages '
+run -q -n 3 --max-unreceived 1 floods ends
+check "short messages to a program that has ended" said '^  the program of node 1 ended at '
+run -q -n 2 --max-unreceived 100 --max-virtual-time 25 floods
+check "--max-unreceived: more room than usual" said 'virtual time limit of 25 s'

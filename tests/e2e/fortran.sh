@@ -105,6 +105,34 @@ check "a program's own routines have their own arguments, in other files and in 
 run -n 1 same
 check "a program's own routines are called" prints '           4\nab\n'
 
+# --- COMMON blocks of several sizes, of which the linker says nothing
+cat >blocks.f <<'END'
+      program blocks
+      common /grid/ a(10), n
+      common /equal_/ z(3)
+      common b(5)
+      call other
+      end
+END
+cat >other.f <<'END'
+      subroutine other
+      common /grid/ a(12), n
+      common /equal_/ x, y(2)
+      common b(6)
+      end
+      subroutine third
+      common /grid/ a(12), n
+      end
+END
+echo 'struct { float a[13]; int n; } grid_; int own[2]; int rule(void) { return grid_.n + own[0]; }' >grid.c
+sizes() { nxf77 "$@" && diff - compile.err; }
+check "blocks of several sizes are named with sizes and files; not blank COMMON, nor those of one size" \
+    sizes -w -o blocks blocks.f other.f grid.c \
+    <<<'nxf77: warning: files disagree about the size of COMMON /grid/: 44 bytes at blocks.f:2, 52 at other.f:2, 56 at grid.c:1'
+archive() { nxf77 -c blocks.f other.f grid.c && ar rc other.a other.o grid.o && sizes -o blocks blocks.o other.a; }
+check "blocks of several sizes: in an archive, those of the files that the program has" archive \
+    <<<'nxf77: warning: files disagree about the size of COMMON /grid/: 44 bytes at blocks.f:2, 52 at other.f:2'
+
 # --- arguments of MPI's calls: a text is one, whatever the module, and mpi_f08's ierror may be missing
 cat >few_mpi.f <<'END'
       include 'mpif.h'

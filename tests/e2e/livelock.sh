@@ -103,6 +103,41 @@ done
 run -n 8 "$BUILD/app/model" -group 4 -sphere 48 40 9
 check "the model is not named" eval '! said "livelock  "'
 
+# --- a loop that waits for a variable, which no volatile keeps in memory: it makes no call any more ---
+cat >hoisted.c <<'E'
+#include <nx.h>
+static int done;
+static void on_message(long type, long bytes, long node, long pid)
+{
+    done = 1;
+}
+int main(void)
+{
+    long x = 0;
+    if (mynode() == 0)
+        hrecv(5, &x, sizeof x, on_message);
+    gsync();
+    if (mynode() == 1)
+        csend(5, &x, sizeof x, 0, 0);
+    if (mynode() == 0)
+        while (!done)
+            ;
+    return 0;
+}
+E
+"$BUILD/nxcc" -O2 -g -w -o hoisted hoisted.c
+for limit in "--max-virtual-time 0.3" "--engine reference --max-virtual-time 0.3" "--max-wall-time 1"; do
+    # shellcheck disable=SC2086
+    run -q -n 2 $limit hoisted
+    check "a loop without a call, $limit: it is named, and since when" \
+        said '^  node 0: computing in one loop, without a call, since [0-9.]+ us \(hoisted\.c:1[56]\)$'
+done
+sed 's/static int done/static volatile int done/' hoisted.c >kept.c
+"$BUILD/nxcc" -O2 -w -o kept kept.c && run -q -n 2 kept
+check "with volatile it ends" ended_with 0
+"$BUILD/nxcc" -O2 -g -o endless "$tests/endless.c" && run -q --max-virtual-time 0.0005 endless
+check "a loop that is just under way is not named" eval 'said "node 0: computing" && ! said loop'
+
 # --- both engines, and any number of workers, tell the same ---
 for what in iprobe two msgdone flick; do
     for time in 0.02 0.1 0.100003; do

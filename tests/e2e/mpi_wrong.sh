@@ -67,6 +67,25 @@ echo 'int main(void) { return 3; }' >returns_nx.c
 "$BUILD/nxcc" -o returns_nx returns_nx.c && run -q -n 1 returns_nx
 check "main of an NX program tells of no error" ended_with 0
 
+cp returns_nx.c tool.c && bin/mpicc -o tool tool.c && run -q -n 1 tool
+check "main of a program that mpicc made does, also if it makes no call of MPI" ended_with 1
+
+cat >own.c <<'END'
+#include <mpi.h>
+int comm_world = 5, get_memory;
+int fail(int x) { return x + comm_world; }
+int main(int argc, char **argv)
+{
+    MPI_Init(&argc, &argv);
+    MPI_Barrier(MPI_COMM_WORLD);
+    MPI_Finalize();
+    return fail(0) - 5 + get_memory;
+}
+END
+check "a program may have functions and variables by names that the library has inside" bin/mpicc -o own own.c
+run -q -n 2 own
+check "and both work" ended_with 0
+
 # A rank that ends early: who is behind it in a collective is not told to look at the order of collectives.
 sed 's/return rank == 1.*/return 0;/; s/MPI_Finalize/if (rank == 1) exit(1);\n    MPI_Barrier(MPI_COMM_WORLD);\n    &/; s/mpi.h>/&\n#include <stdlib.h>/' returns.c >leaves.c
 check "a program one rank of which leaves compiles" bin/mpicc -g -o leaves leaves.c

@@ -125,3 +125,13 @@ nxcc: warning: csend takes 5 arguments, here are 4: few.c:4
 nxcc: warning: gdsum takes 3 arguments, here are 2: few.c:6
 E
 check "too few arguments: the program is there" test -x few
+
+# A variable that several files define, without a value, is one; if they disagree about its size, the linker says nothing.
+echo 'int table[10]; int same; int main() { return table[3] + same + part(); }' >table.c
+echo 'int table[12]; int same; int part() { return table[3] + same; }' >table_part.c
+table() { "$BUILD/nxcc" -w "$@" -o table table.c table_part.c 2>&1; }
+for options in "" --asan --long32; do
+    # shellcheck disable=SC2086
+    check "a variable of several sizes is named with files $options" diff <(table $options) \
+        <(echo 'nxcc: warning: files disagree about the size of table: 40 bytes at table.c:1, 48 at table_part.c:1')
+done

@@ -76,3 +76,20 @@ on_mpi 2 ./clustered
 check "MPI: it ends well" ended_with 0
 check "MPI: the call fails with ENOSYS" eval "[ \"\$(cat out)\" = 'gadget -1 ENOSYS' ]"
 check "MPI: it is named, once a node" eval "[ \"\$(grep -c 'node [01]: gadget failed with ENOSYS' err)\" = 2 ]"
+
+# --- shared libraries of this computer, which the linker takes and a node does not load
+echo 'int gadget(void) { return 1; } int widget(void) { return 2; }' >gadgets.c
+gcc -shared -fPIC -o libgadgets.so gadgets.c
+echo 'int gadget(void), widget(void); int main(void) { return gadget() + widget(); }' >wants.c
+echo 'int main(void) { return 0; }' >wants_not.c
+wants() { ! "$BUILD/nxcc" -o wants wants.c -L. -lgadgets 2>err && [ ! -e wants ]; }
+check "a program that needs a shared library is not linked" wants
+check "the message names the functions and the library" \
+    said '^nxcc: gadget, widget: in libgadgets\.so of this computer, but nodes load no libraries: link an archive'
+check "one that does not need what its makefile links is" "$BUILD/nxcc" -o wants_not wants_not.c -L. -lgadgets -lstdc++
+check "and runs" "$BUILD/touchstone" run -q wants_not
+echo 'int __cxa_atexit(void); int main(void) { return __cxa_atexit(); }' >cplusplus.c
+cplusplus() { ! "$BUILD/nxcc" -o wants cplusplus.c -lstdc++ 2>err; }
+check "what needs C++'s library is told about C++" eval 'cplusplus && said "C\+\+ programs cannot be made"'
+other() { ! "$BUILD/nxcc" -o wants wants.c -lstdc++ 2>err; }
+check "not what only names it, and lacks something else" eval 'other && said "nodes do not have gadget" && ! said "C\\+\\+"'

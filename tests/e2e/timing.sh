@@ -165,6 +165,19 @@ check "--timing and --replay exclude each other" ended_with 64
 run -q -n 4 --record /nowhere/x first_comes
 check "a schedule that cannot be written: exit status 74" ended_with 74
 
+# --- of another program ---
+"$BUILD/nxcc" -O2 -o no_g "$tests/first_comes.c"
+"$BUILD/nxcc" -O2 -g -o with_g "$tests/first_comes.c"
+"$BUILD/nxcc" -O0 -o other "$tests/first_comes.c"
+run -q -n 4 --record usual.schedule no_g
+run -q -n 4 --replay usual.schedule no_g
+check "the recorded program: nothing is said" test ! -s err
+run -q -n 4 --replay usual.schedule with_g
+check "nor of the same with debugging information" test ! -s err
+run -q -n 4 --replay usual.schedule other
+check "another program than the recorded one is named, also if the schedule delays nothing" \
+    said '^touchstone run: usual.schedule was recorded of another program than other, or of this one compiled otherwise'
+
 # --- doc/replay.md ---
 
 example "$tests/../../doc/replay.md" race.c

@@ -350,6 +350,25 @@ static void after_a_roll_back_the_last_place_is_an_earlier_one(void **state)
     lp_unbind(lp);
 }
 
+static void a_loop_is_known_by_equal_places_in_a_row(void **state)
+{
+    struct fake f;
+    struct lp *lp = begin(&f, 40 * MHZ);
+    (void)state;
+    spend(&f, f.budget + 1), poll_at(&f, 1);
+    vtime since = 0;
+    for (int k = 1; k <= LP_LOOP + LP_PLACES; k++) { /* more than the ring holds */
+        assert_true(clock_in_loop_since(lp) == (k <= LP_LOOP ? VT_NEVER : since));
+        spend(&f, f.budget + 1), poll_at(&f, 2);
+        since = k == 1 ? clock_sync(lp) : since;
+    }
+    clock_begin_segment(lp); /* after a handler, a row begins anew */
+    clock_allow(lp, VT_NEVER);
+    spend(&f, f.budget + 1), poll_at(&f, 2);
+    assert_true(clock_in_loop_since(lp) == VT_NEVER);
+    lp_unbind(lp);
+}
+
 static void places_that_the_ring_has_lost_are_unknown(void **state)
 {
     struct fake f;
@@ -477,6 +496,7 @@ int main(void)
         cmocka_unit_test(a_call_within_the_lookahead_is_found),
         cmocka_unit_test(the_last_place_is_that_of_the_latest_boundary),
         cmocka_unit_test(after_a_roll_back_the_last_place_is_an_earlier_one),
+        cmocka_unit_test(a_loop_is_known_by_equal_places_in_a_row),
         cmocka_unit_test(places_that_the_ring_has_lost_are_unknown),
         cmocka_unit_test(stolen_time_is_the_clocks_only_when_it_is_added),
         cmocka_unit_test(after_a_roll_back_it_is_unknown_how_far_the_program_had_computed_ahead),

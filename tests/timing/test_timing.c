@@ -244,6 +244,17 @@ static void without_orders_matches_only_tell(void **state)
     plan_free(p);
 }
 
+static void the_program_is_known_if_it_is_named(void **state)
+{
+    (void)state;
+    struct plan *p = must_read("touchstone-schedule 1\nprogram 4294967295 file=race\nnodes 3\n");
+    assert_true(p->has_program && p->program == UINT32_MAX);
+    plan_free(p);
+    p = must_read("touchstone-schedule 1\nnodes 3\n");
+    assert_false(p->has_program);
+    plan_free(p);
+}
+
 static void errors_name_file_and_line(void **state)
 {
     static const struct {
@@ -255,6 +266,7 @@ static void errors_name_file_and_line(void **state)
         {"touchstone-schedule 1\n", ":2: there is no line 'nodes COUNT'"},
         {"touchstone-schedule 1\nspeed 0 1\n", ":2: speed: a line 'nodes COUNT' must come before"},
         {"touchstone-schedule 1\nnodes 0\n", ":2: nodes: a run has at least 1"},
+        {"touchstone-schedule 1\nprogram 7 file=a\nprogram 7\n", ":3: program: stands twice"},
         {"touchstone-schedule 1\nnodes x\n", ":2: nodes: the number of nodes is a whole number, not 'x'"},
         {"touchstone-schedule 1\nnodes 2\nnodes 2\n", ":3: nodes: stands twice"},
         {"touchstone-schedule 1\nnodes 2\nspeed 2 1\n",
@@ -327,6 +339,7 @@ int main(void)
         cmocka_unit_test(the_same_draws_come_from_a_timing),
         cmocka_unit_test(orders_are_found_by_receive_and_by_message),
         cmocka_unit_test(without_orders_matches_only_tell),
+        cmocka_unit_test(the_program_is_known_if_it_is_named),
         cmocka_unit_test(errors_name_file_and_line),
         cmocka_unit_test(a_file_that_is_not_there_is_an_error),
     };
