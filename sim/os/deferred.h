@@ -19,8 +19,8 @@
  * its deferred calls have been.
  *
  * A call that waits is deferred, too, if the message it waits for has arrived and nothing can reach the node
- * before its commit time: the caller resumes at once. So is one that asks for what has not come then: programs
- * that poll would switch at each poll.
+ * before its commit time: the caller resumes at once. So is one that asks for what has not come by then: a
+ * program that polls would switch at each poll.
  *
  * What is not committed when the program is killed, or the machine stops, has not happened: it is rolled
  * back, and the clock with it.

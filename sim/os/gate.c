@@ -95,7 +95,7 @@ void node_enter_early(struct node *n, const char *call)
         commit_at_once(n);
 }
 
-/* Is the call not the next in the total order, and can nothing reach the node before it? Calls deferred so far
+/* Is the call not the next in the total order, and can nothing reach the node up to it? Calls deferred so far
  * may only have asked, too: others change what there is to be found. */
 static bool knows_what_has_come(struct node *n)
 {
