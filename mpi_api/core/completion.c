@@ -123,11 +123,14 @@ bool completion_run(struct node *n, const struct nxm_completion *c)
 {
     struct completion_look look;
     begin_look(&look, c);
+    bool waits = c->how & NXM_WAIT, ready = waits || completion_is_ready(n, &look);
+    if (!waits)
+        node_answers(n, ready);
     nx_spend_call(n);
     tell(n, c);
-    if (c->how & NXM_WAIT) {
+    if (waits) {
         node_wait(n, completion_is_ready, &look);
-    } else if (!completion_is_ready(n, &look)) {
+    } else if (!ready) {
         struct awaited a = completion_awaits(n, &look);
         if (a.receive)
             nx_found_nothing(n, &a.receive->select);

@@ -36,6 +36,14 @@ static struct node *enter_early(int call)
     return n;
 }
 
+static struct node *enter_asking(int call)
+{
+    struct node *n = node_self();
+    node_enter_asking(n, completion_call_name(call));
+    nx_begins_call(n);
+    return n;
+}
+
 /* For reports. A collective's tag is the library's own: waits are not told apart by it. */
 static void about(struct node *n, const struct nxm_envelope *e)
 {
@@ -160,9 +168,11 @@ long node_nxm_receive_into(int id, void *buf, long room)
 long node_nxm_probe(const struct nxm_envelope *e, int wait, struct nxm_status *status);
 long node_nxm_probe(const struct nxm_envelope *e, int wait, struct nxm_status *status)
 {
-    struct node *n = enter(e->call);
+    struct node *n = wait ? enter(e->call) : enter_asking(e->call);
     struct incoming in = {.select = selector_of(e)};
     about(n, e);
+    if (!wait)
+        node_answers(n, nx_probe_finds(n, &in));
     nx_spend_call(n);
     if (wait)
         node_wait(n, nx_probe_finds, &in);
@@ -196,7 +206,7 @@ long node_nxm_complete(const struct nxm_completion *c);
 long node_nxm_complete(const struct nxm_completion *c)
 {
     bool waits = c->how & NXM_WAIT;
-    struct node *n = waits ? enter_early(c->call) : enter(c->call);
+    struct node *n = waits ? enter_early(c->call) : enter_asking(c->call);
     bool done = completion_run(n, c);
     node_leave(n);
     return done;

@@ -147,6 +147,14 @@ static struct node *enter_early(const char *call)
     return n;
 }
 
+static struct node *enter_asking(const char *call)
+{
+    struct node *n = node_self();
+    node_enter_asking(n, call);
+    nx_begins_call(n);
+    return n;
+}
+
 static void leave(struct node *n)
 {
     nx_settle(n);
@@ -196,6 +204,7 @@ long nx_returning(struct node *n, long result)
     }
 #define NX_CALL(name, parameters, arguments) ENTRY_POINTS(enter, name, parameters, arguments)
 #define NX_EARLY(name, parameters, arguments) ENTRY_POINTS(enter_early, name, parameters, arguments)
+#define NX_ASKING(name, parameters, arguments) ENTRY_POINTS(enter_asking, name, parameters, arguments)
 #define NX_VALUE(name, expression)                                                                           \
     long node_##name(void)                                                                                   \
     {                                                                                                        \

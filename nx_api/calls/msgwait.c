@@ -67,9 +67,10 @@ long nxs_msgdone(word id)
 {
     struct node *n = node_self();
     nx_about(n, id);
-    if (check_id(n, id) < 0)
+    bool wrong = check_id(n, id) < 0, done = !wrong && mailbox_id_is_complete(n, id);
+    node_answers(n, wrong || done);
+    if (wrong)
         return -1;
-    bool done = mailbox_id_is_complete(n, id);
     nx_spend_call(n);
     const struct selector *select = done ? NULL : missing(n, id);
     if (select)

@@ -30,11 +30,14 @@ static long wait_for(struct incoming in)
 static long look_for(const struct incoming *in)
 {
     struct node *n = node_self();
-    if (nx_check_receive(n, in) < 0)
+    bool wrong = nx_check_receive(n, in) < 0, found = !wrong && mailbox_probe(n, &in->select);
+    node_answers(n, wrong || found);
+    if (wrong)
         return -1;
     nx_spend_call(n);
-    bool found = probe(n, in);
-    if (!found)
+    if (found)
+        probe(n, in);
+    else
         nx_found_nothing(n, &in->select);
     return found;
 }

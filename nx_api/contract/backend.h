@@ -42,6 +42,12 @@ void node_enter(struct node *n, const char *call);
 /* Begins a call that only hands something over, or does so before it waits: earlier events need not have been
  * seen. */
 void node_enter_early(struct node *n, const char *call);
+/* Begins a call that asks, and does not wait. Its answer is looked up first, and told by node_answers before
+ * anything else is done: earlier events need not have been seen for it to be no if none of them can reach the
+ * node up to the call. After yes, or an error, they have been seen: what the answer says is to be looked up
+ * again. */
+void node_enter_asking(struct node *n, const char *call);
+void node_answers(struct node *n, bool yes);
 /* Ends a call; handlers that are due run first. */
 void node_leave(struct node *n);
 /* Waits until all that happened earlier has been seen. No handler runs. */

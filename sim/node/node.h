@@ -111,6 +111,7 @@ struct deferred_call {
     bool consumes_message : 1; /* that message */
     bool inline_message : 1;   /* it is one, all in itself: it can be freed without a look at it */
     bool cold : 1;             /* message is in deferred_cold, for the call has a receive, too */
+    bool asks : 1;             /* it asks, and has been answered no; so have those before it */
     vtime spent;
     union {
         struct receive *receive;  /* if it posts (deferred.posts) or selected */
@@ -154,6 +155,7 @@ struct node_call {
     long awaited; /* type or typesel of the message the call is about, if awaits */
     bool has_type, awaits;
     bool hands_over; /* it was entered by node_enter_early, and has not waited */
+    bool asks;       /* by node_enter_asking, and neither is deferred nor has seen earlier events */
 };
 
 /* What the program has switched away for. */

@@ -9,13 +9,23 @@
 #include "node/system.h"
 #include "nx_api/contract/matching.h"
 #include "os/charge.h"
+#include "os/deferred.h"
 #include "os/due.h"
 #include "os/observer.h"
+
+/* What was noted of the polls before the one at `since`. */
+struct before {
+    vtime since;
+    struct livelock_poll *at, was, *latest;
+    uint32_t rows;
+};
 
 struct livelock_note {
     struct observer observer;        /* first */
     struct livelock *signs;          /* NULL: there are none */
     struct livelock_handler handler; /* the last that has begun */
+    struct before *before;           /* a ring, by deferred polls; NULL: there has been none */
+    uint32_t deferred;
 };
 
 static struct livelock_note *note_of(struct observer *o)
@@ -41,7 +51,7 @@ static bool is_of(const struct livelock_poll *p, const char *call, const struct 
            (!s || (p->select.type == s->type && p->select.node == s->node && p->select.pid == s->pid));
 }
 
-/* The entry, or the place for a new one. */
+/* The entry, or that for a new one. */
 static struct livelock_poll *find(struct livelock *l, const char *call, const struct selector *s,
                                   uintptr_t place)
 {
@@ -53,9 +63,32 @@ static struct livelock_poll *find(struct livelock *l, const char *call, const st
         if (p->count < shortest->count)
             shortest = p;
     }
-    l->rows -= shortest->count > 0;
-    *shortest = (struct livelock_poll){0};
     return shortest;
+}
+
+/* The poll, which is deferred, may have to be undone. */
+static void keep(struct livelock_note *own, const struct node *n, struct livelock_poll *at)
+{
+    const struct livelock *l = own->signs;
+    if (!own->before)
+        own->before = xcalloc(DEFERRED_MOST, sizeof *own->before);
+    own->before[own->deferred++ % DEFERRED_MOST] =
+        (struct before){n->call.since, at, *at, l->latest, l->rows};
+}
+
+/* What is deferred is undone: nothing has reached the node since, and no more than fits in the ring. */
+static void hear_rolled_back(struct observer *o, struct node *n)
+{
+    struct livelock_note *own = note_of(o);
+    struct livelock *l = own->signs;
+    for (uint32_t i = 0; own->before && i < DEFERRED_MOST; i++) {
+        struct before *b = &own->before[(own->deferred - 1) % DEFERRED_MOST];
+        if (!b->at || b->since < deferred_begins(n))
+            break;
+        *b->at = b->was, l->latest = b->latest, l->rows = b->rows;
+        b->at = NULL;
+        own->deferred--;
+    }
 }
 
 static void find_places(const struct node *n, uintptr_t frame, uintptr_t *places)
@@ -70,6 +103,7 @@ static void find_places(const struct node *n, uintptr_t frame, uintptr_t *places
 static void begin_row(struct livelock *l, struct node *n, struct livelock_poll *p,
                       const struct selector *select, uintptr_t place)
 {
+    l->rows -= p->count > 0;
     *p = (struct livelock_poll){.call = n->call.name, .asks = select != NULL, .since = n->call.since};
     if (select)
         p->select = *select;
@@ -96,9 +130,15 @@ static void hear_finds_nothing(struct observer *o, struct node *n, const struct 
     uintptr_t place = crossing_caller();
     struct livelock *l = signs_of(o);
     struct livelock_poll *p = l->latest;
-    if (!p || !is_of(p, n->call.name, select, place))
-        p = l->latest = find(l, n->call.name, select, place);
-    if (p->count == 0)
+    bool same = p && is_of(p, n->call.name, select, place);
+    if (!same) {
+        p = find(l, n->call.name, select, place);
+        same = is_of(p, n->call.name, select, place);
+    }
+    if (n->deferred.open)
+        keep(note_of(o), n, p);
+    l->latest = p;
+    if (!same || p->count == 0)
         begin_row(l, n, p, select, place);
     p->spent += time_of(n, p, select != NULL);
     p->latest = node_now(n);
@@ -181,6 +221,7 @@ static const struct announcements at_first = {.finds_nothing = hear_finds_nothin
 static const struct announcements with_rows = {.finds_nothing = hear_finds_nothing,
                                                .handler_begins = hear_handler_begins,
                                                .interrupted = hear_interrupted,
+                                               .rolled_back = hear_rolled_back,
                                                .arrives = hear_arrives,
                                                .handler_ends = hear_handler_ends};
 
@@ -204,6 +245,7 @@ void livelock_end(struct node *n)
         return;
     observer_remove(n, o);
     free(note_of(o)->signs);
+    free(note_of(o)->before);
     free(o);
 }
 

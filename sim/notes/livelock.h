@@ -11,7 +11,7 @@
  * with a handler. The next handler belongs to it, too, unless the program has had more than half of the time
  * by then.
  *
- * Counts are taken at committed moments only, so that they are the same on all engines. */
+ * Polls that are deferred, and never committed, are taken back: counts are the same on all engines. */
 #ifndef NOTES_LIVELOCK_H
 #define NOTES_LIVELOCK_H
 #include "node/node.h"

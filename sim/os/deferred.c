@@ -88,6 +88,17 @@ void deferred_begin(struct node *n)
     ANNOUNCE(n, deferred);
 }
 
+void deferred_ask(struct node *n)
+{
+    deferred_begin(n);
+    last(n)->asks = true;
+}
+
+bool deferred_only_ask(const struct node *n)
+{
+    return last(n)->asks;
+}
+
 /* Nothing reaches the node before the call that has waited is committed: its program knows what is in its
  * buffers then. */
 static void know_buffers(struct node *n)

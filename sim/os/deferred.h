@@ -19,7 +19,8 @@
  * its deferred calls have been.
  *
  * A call that waits is deferred, too, if the message it waits for has arrived and nothing can reach the node
- * before its commit time: the caller resumes at once.
+ * before its commit time: the caller resumes at once. So is one that asks for what has not come by then: a
+ * program that polls would switch at each poll.
  *
  * What is not committed when the program is killed, or the machine stops, has not happened: it is rolled
  * back, and the clock with it.
@@ -39,6 +40,10 @@ struct receive;
 bool deferred_has_room(const struct node *n);
 /* The call that begins now is deferred, until deferred.open is false. Call after clock_sync. */
 void deferred_begin(struct node *n);
+/* The same for a call that asks, and is answered no. */
+void deferred_ask(struct node *n);
+/* Is all that is deferred such calls? There is a deferred call. */
+bool deferred_only_ask(const struct node *n);
 /* Its caller resumes at once: the message it waits for has arrived. */
 void deferred_resume_caller(struct node *n);
 /* The call takes t, posts a receive, sends a message: each once at most, before its caller resumes. */
@@ -53,6 +58,11 @@ void deferred_received(struct node *n, struct message *m);
 /* The commit time of the first that needs an event, and what it sends, which may be NULL; VT_NEVER: there is
  * none. */
 vtime deferred_next(const struct node *n, struct message **sends);
+/* That of the first of all, which has not begun. */
+static inline vtime deferred_begins(const struct node *n)
+{
+    return n->deferred.commits + n->lp.clock.stolen;
+}
 /* That of the last of all, or when its caller resumes; there is one. */
 vtime deferred_last(const struct node *n);
 /* A message is kept that the receives may select: it has come whole, or its envelope. */

@@ -95,6 +95,33 @@ void node_enter_early(struct node *n, const char *call)
         commit_at_once(n);
 }
 
+/* Is the call not the next in the total order, and can nothing reach the node up to it? Calls deferred so far
+ * may only have asked, too: others change what there is to be found. */
+static bool knows_what_has_come(struct node *n)
+{
+    return may_defer(n) && (n->deferred.count ? deferred_only_ask(n) : !lp_is_next(&n->lp, n->call.since)) &&
+           lp_is_alone(&n->lp, n->call.since);
+}
+
+void node_enter_asking(struct node *n, const char *call)
+{
+    begin_call(n, call, false);
+    n->call.asks = knows_what_has_come(n);
+    if (!n->call.asks)
+        await_commit(n);
+}
+
+void node_answers(struct node *n, bool yes)
+{
+    if (!n->call.asks)
+        return;
+    n->call.asks = false;
+    if (yes)
+        await_commit(n);
+    else
+        deferred_ask(n);
+}
+
 void node_leave(struct node *n)
 {
     ANNOUNCE(n, call_ends);

@@ -140,7 +140,7 @@ check "a loop that is just under way is not named" eval 'said "node 0: computing
 
 # --- both engines, and any number of workers, tell the same ---
 for what in iprobe two msgdone flick; do
-    for time in 0.02 0.1 0.100003; do
+    for time in 0.02 0.1 0.100003 0.0123456789 0.0345678901; do
         how="-n 5 --max-virtual-time $time livelock $what"
         # shellcheck disable=SC2086
         run_results --engine reference $how >reference

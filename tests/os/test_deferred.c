@@ -138,6 +138,15 @@ static void receive(struct fake *f, int32_t type)
     leave(f);
 }
 
+/* Asks for what has not come. */
+static void ask(struct fake *f)
+{
+    node_enter_asking(f->n, "iprobe");
+    node_answers(f->n, false);
+    node_spend(f->n, CALL * US);
+    leave(f);
+}
+
 /* --- what happens to it --- */
 
 /* Node 1 sends it a message that arrives at t; or a long one, whose envelope does. */
@@ -552,6 +561,31 @@ static void a_call_that_was_put_off_is_rolled_back_to_its_later_time(void **stat
     end(&f);
 }
 
+/* Events of others at 0 reach it SEND us later at the earliest. */
+static void a_call_that_asks_is_deferred_while_nothing_can_reach_the_node(void **state)
+{
+    (void)state;
+    struct fake f;
+    begin(&f);
+    others_may_interfere(&f);
+    compute(&f, 5);
+    struct books before = books_of(&f);
+    ask(&f);
+    compute(&f, 4);
+    ask(&f);
+    assert_int_equal(f.n->deferred.count, 2);
+    assert_true(deferred_only_ask(f.n));
+    assert_int_equal(node_now(f.n), (5 + CALL + 4 + CALL) * US);
+    deferred_roll_back(f.n);
+    assert_same_books(&f, before);
+    compute(&f, 1);
+    ask(&f);
+    run_to_the_end(&f);
+    assert_int_equal(f.n->deferred.count, 0);
+    assert_int_equal(f.n->times.system, CALL * US);
+    end(&f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -566,6 +600,7 @@ int main(void)
         cmocka_unit_test(a_buffer_is_free_when_the_receive_is_committed),
         cmocka_unit_test(a_message_goes_at_once_if_nothing_can_reach_the_node_before),
         cmocka_unit_test(a_message_does_not_overtake_one_that_waits_for_its_event),
+        cmocka_unit_test(a_call_that_asks_is_deferred_while_nothing_can_reach_the_node),
         cmocka_unit_test(stolen_time_shifts_all_deferred_calls),
         cmocka_unit_test(what_is_rolled_back_has_left_no_trace),
         cmocka_unit_test(what_is_committed_is_not_rolled_back),
