@@ -24,7 +24,7 @@
 #define LINKED_AS_BY_NXCC                                                                                    \
     "-fPIE -mno-direct-extern-access -mno-red-zone -w -pie -nostdlib "                                       \
     "-Wl,-e,0,--no-dynamic-linker,-z,now,-z,nocopyreloc,--export-dynamic-symbol=nxc_image,--hash-style=sysv"
-#define RUNTIME "nx_api/nxcc/runtime/runtime.c"
+#define RUNTIME "nx_api/nxcc/runtime/runtime.c nx_api/nxcc/runtime/shell_runtime.c"
 
 /* A directory for this test's files. */
 struct workshop {
