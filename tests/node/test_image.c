@@ -211,7 +211,7 @@ static void programs_of_other_compilers_are_refused(void **state)
     assert_refused(at(w, "a.o"), "link it with nxcc");
 }
 
-/* Of C or Fortran; NX's programs call PMPI_ names only, and have thread-local variables if they are Fortran's. */
+/* Of C or Fortran; NX's programs call PMPI_ names only, and of Fortran have a thread-local variable. */
 static void programs_of_other_mpis_are_refused(void **state)
 {
     const char *path = at(*state, "mpi.so");
