@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include "nx_api/driver/elf_file.h"
+#include "nx_api/driver/mixed.h"
 #include "nx_api/driver/text.h"
 
 struct names {
@@ -251,6 +252,8 @@ int stubs_link(const char **gcc, const struct arguments *user, const char *progr
     const char *who = user->mpi ? "libraries" : "nodes";
     setenv("LANGUAGE", "en", true); /* the linker's messages are read */
     char *said = listen(gcc, &status);
+    if (status && mixed_report(said, user->mpi))
+        return status;
     struct names n = status ? read_names(said) : (struct names){NULL, 0};
     if (n.count && user->stubs) {
         status = link_stubs(gcc, &n, user->stub_values);
