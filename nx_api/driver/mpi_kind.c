@@ -115,6 +115,35 @@ static char *not_asked_for(const struct elf_file *program, FILE *f)
     return asked ? missing : NULL;
 }
 
+/* The call by which a program begins MPI, without asking whether MPI has begun; NULL: there is none. */
+static const char *begins_mpi(const struct elf_file *program)
+{
+    static const char *const begins[][2] = {{"MPI_Init", "MPI_Initialized"},
+                                            {"MPI_Init_thread", "MPI_Initialized"},
+                                            {"mpi_init_", "mpi_initialized_"},
+                                            {"mpi_init_thread_", "mpi_initialized_"}};
+    size_t size, names_size;
+    const Elf64_Sym *symbols = (const Elf64_Sym *)elf_section(program, ".dynsym", &size);
+    const char *names = elf_section(program, ".dynstr", &names_size);
+    for (size_t i = 0; symbols && names && i < sizeof begins / sizeof *begins; i++)
+        if (asks_for(symbols, size / sizeof *symbols, names, begins[i][0]) &&
+            !asks_for(symbols, size / sizeof *symbols, names, begins[i][1]))
+            return begins[i][0];
+    return NULL;
+}
+
+static void warn_of_beginning(const struct elf_file *program)
+{
+    const char *call = begins_mpi(program);
+    if (call)
+        fprintf(
+            stderr,
+            "nxcc: warning: the program calls %s, but NX begins MPI before main, and MPI ends a program that "
+            "begins it twice. A program of MPI alone needs no nxcc on a cluster: mpicc or mpif90 compiles "
+            "it. One that calls NX, too, leaves the call out, or asks MPI_Initialized first\n",
+            call);
+}
+
 void mpi_check_names(const struct places *p, const char *program)
 {
     FILE *f = fopen(text("%s/theirs", mpi_folder(p)), "r");
@@ -122,6 +151,7 @@ void mpi_check_names(const struct places *p, const char *program)
         fail("%s/theirs is missing: is the installation complete?", mpi_folder(p));
     struct elf_file e = elf_read(program);
     char *missing = not_asked_for(&e, f);
+    warn_of_beginning(&e);
     fclose(f);
     elf_forget(&e);
     if (!missing)

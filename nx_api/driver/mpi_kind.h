@@ -8,7 +8,7 @@ const char *mpi_command(void);
 /* The folder of the libraries for that MPI. Does not return if nxcc has not been built for its kind. */
 const char *mpi_folder(const struct places *p);
 /* Does not return if a linked program has functions of its own by names that libnx.a calls MPI by: says
- * which, and removes the program. */
+ * which, and removes the program. Warns if the program begins MPI, which NX has done. */
 void mpi_check_names(const struct places *p, const char *program);
 
 #endif

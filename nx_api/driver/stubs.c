@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include "nx_api/driver/elf_file.h"
+#include "nx_api/driver/mixed.h"
 #include "nx_api/driver/text.h"
 
 struct names {
@@ -235,11 +236,20 @@ static bool any_of_mpi(const struct names *n)
     return false;
 }
 
+static bool all_of_fortran(const struct names *n)
+{
+    for (size_t i = 0; i < n->count; i++)
+        if (n->name[i][strlen(n->name[i]) - 1] != '_')
+            return false;
+    return true;
+}
+
 /* What may be wrong, and where the user finds what there is. */
 static const char *advice(const struct names *n, const struct arguments *user)
 {
     if (!any_of_mpi(n))
-        return "is the spelling right? nx.h declares all calls";
+        return all_of_fortran(n) ? "is the spelling right? nx(3) has all calls (the last _ is Fortran's)"
+                                 : "is the spelling right? nx.h declares all calls";
     if (!user->mpi && !user->mpi_program)
         return "-lmpi links MPI's library";
     return "is the spelling right? doc/mpi-programs.md says which calls of MPI there are";
@@ -258,6 +268,8 @@ int stubs_link(const char **gcc, const struct arguments *user, const char *progr
     const char *who = user->mpi ? "libraries" : "nodes";
     setenv("LANGUAGE", "en", true); /* the linker's messages are read */
     char *said = listen(gcc, &status);
+    if (status && mixed_report(said, user->mpi))
+        return status;
     struct names n = status ? read_names(said) : (struct names){NULL, 0};
     if (n.count && user->stubs) {
         status = link_stubs(gcc, &n, user->stub_values);

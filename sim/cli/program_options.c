@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "config/config.h"
 #include "files/program_file.h"
 #include "kernel/xalloc.h"
@@ -43,10 +44,21 @@ static void take_program(struct argp_state *state, struct cli_program *p)
     p->program_count = state->argc - state->next;
 }
 
+/* No program is there: the last argument is an option's value, as prog of `--races prog`. */
+static void ask_for_program(struct argp_state *state)
+{
+    const char *last = state->argv[state->argc - 1];
+    if (state->argc > 2 && access(last, X_OK) == 0)
+        argp_error(state, "which program? (built by nxcc; %s was taken as the value of %s)", last,
+                   state->argv[state->argc - 2]);
+    else
+        argp_error(state, "which program? (built by nxcc)");
+}
+
 static void check(struct argp_state *state, struct cli_program *p)
 {
     if (!p->host && !p->program_count)
-        argp_error(state, "which program? (built by nxcc)");
+        ask_for_program(state);
     if (!p->host && !p->nodes)
         p->nodes = 1;
     if (!p->machine)

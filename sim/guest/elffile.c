@@ -86,10 +86,7 @@ static bool find_loads(struct elf_file *f, char **error)
     f->loads = loads;
     uint64_t end = 0;
     for (size_t i = 0; i < h->e_phnum; i++) {
-        if (ph[i].p_type == PT_TLS)
-            return elf_fail(
-                error, "%s: has thread-local variables (__thread, _Thread_local): NX nodes have no threads",
-                f->path);
+        f->thread_locals |= ph[i].p_type == PT_TLS;
         if (ph[i].p_type != PT_LOAD || ph[i].p_memsz == 0)
             continue;
         if (ph[i].p_offset > f->size || ph[i].p_filesz > f->size - ph[i].p_offset)

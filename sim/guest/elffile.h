@@ -34,6 +34,7 @@ struct elf_file {
     struct elf_relocations data, calls; /* DT_RELA, DT_JMPREL */
     uint64_t dynamic_at;                /* the address of PT_DYNAMIC */
     bool debug;                         /* the file has line numbers */
+    bool thread_locals;                 /* the file has a segment of thread-local variables */
     const char *costs;                  /* lines of the section of costs_mark.h, */
     size_t costs_size;                  /* so many bytes */
 };

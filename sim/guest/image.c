@@ -156,6 +156,10 @@ static bool find_object(struct node_image *img, char **error)
     const char *advice = bytes == NULL ? advice_on_mpi(f) : NULL;
     if (advice != NULL)
         return elf_fail(error, "%s: linked with this computer's MPI%s", f->path, advice);
+    if (f->thread_locals)
+        return elf_fail(error,
+                        "%s: has thread-local variables (__thread, _Thread_local): NX nodes have no threads",
+                        f->path);
     if (bytes == NULL)
         return elf_fail(error, "%s: %s", f->path, ELF_NOT_NXCC);
     memcpy(&object, bytes, sizeof object);

@@ -55,6 +55,7 @@ wrong() { # NAME STATUS PATTERN ARGS...
     check "$name: message" said "$pattern"
 }
 wrong "no program" 64 'which program' run
+wrong "a program that an option has taken" 64 "which program.*; /bin/true was taken as the value of --races" run -q --races /bin/true
 wrong "an unknown option" 64 "unrecognized option '--colour'" run --colour ring
 wrong "the nearest option" 64 "unrecognized option '--verbsoe'; did you mean '--verbose'" run --verbsoe ring
 wrong "an option by a word of its help" 64 "unrecognized option '--threads'; see .*--workers" run --threads 4 ring

@@ -142,6 +142,16 @@ check "objects are compiled apart" "$BUILD/nxcc" --mpi -O2 -c -o part.o "$tests/
 check "and linked" "$BUILD/nxcc" --mpi -o parts part.o
 on_mpi 2 ./parts
 check "and run" printed $'masked: 0\nunmasked: 1, it was 1'
+mixed() { rm -f mixed && ! "$BUILD/nxcc" "$@" -o mixed part.o 2>err && [ ! -e mixed ] && [ "$(wc -l <err)" = 1 ]; }
+check "not for simulated nodes: the object is named, in one line" eval "mixed && said '^nxcc: part.o was compiled for a cluster, with --mpi: '"
+"$BUILD/nxcc" -O2 -c -o part.o "$tests/mpi/masks.c"
+check "nor one of simulated nodes for a cluster" eval "mixed --mpi && said '^nxcc: part.o was compiled for simulated nodes, without --mpi: '"
+
+# --- programs of MPI ---
+begins() { echo "#include <mpi.h>
+int main(void) { int begun = 0; $1 if (!begun) MPI_Init(0, 0); return 0; }" >begins.c; "$BUILD/nxcc" --mpi -o begins begins.c 2>err; }
+check "a program that begins MPI is warned" eval "begins '' && said 'warning: the program calls MPI_Init, but NX begins MPI before main.*mpicc'"
+check "one that asks first is not" eval "begins 'MPI_Initialized(&begun);' && ! said warning"
 
 # --- the model ---
 "$BUILD/nxcc" --mpi -O2 -o model "$tests"/../../app/*.c -lz -lm 2>compile.err

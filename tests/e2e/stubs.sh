@@ -17,6 +17,10 @@ broken() { ! "$BUILD/nxcc" -o broken broken.c 2>err; }
 check "other errors" broken
 check "they do not say it" eval "! said stubs && said \"'x' undeclared|.x. undeclared\""
 echo 'int f(void) { return 0; }' >no_main.c
+printf '      CALL GSYNK()\n      END\n' >misspelt.f
+misspelt() { ! "$BUILD/nxf77" -o misspelt misspelt.f 2>err; }
+check "a misspelt call of Fortran" misspelt
+check "it is sent to the list of calls" said 'nodes do not have gsynk_: is the spelling right\? nx\(3\) has all calls'
 no_main() { ! "$BUILD/nxcc" -o no_main no_main.c 2>err; }
 check "without main" no_main
 check "that is no function to do without" eval "! said --stubs"

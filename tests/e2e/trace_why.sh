@@ -138,6 +138,28 @@ why t.trace
 check "levels: the function below those that a round left and entered" prints 'computed, mostly in force \([0-9.]+ ms\)'
 check "levels: the function before the first call" prints 'Of the path, by function.* force +[0-9. ]+ fill +[0-9.]+ '
 
+# Node 1 decides, and waits once itself, for node 2.
+cat >decides.c <<'END'
+#include <nx.h>
+static void work(long n) { volatile double s = 0; while (n--) s += n; }
+int main(void)
+{
+    char c = 0;
+    if (mynode() == 2)
+        work(1000), csend(1, &c, 1, 1, 0);
+    if (mynode() == 1)
+        crecv(1, &c, 1), work(9000), csend(2, &c, 1, -1, 0);
+    else
+        crecv(2, &c, 1);
+    return 0;
+}
+END
+"$BUILD/nxcc" -O2 -o decides decides.c
+traced -n 3 decides
+why t.trace
+check "the waits of the node that decides are not among those of the others" prints \
+    'The other nodes waited for [0-9.]+ % of their time, [0-9.]+ ms in all\. Of all waiting, 100(\.0)? % was for node 1: '
+
 # What if.
 run -q --json run.json -m ipsc860 -n 32 --set system.interrupt_us=0 served
 why --set system.interrupt_us=0 many.trace

@@ -211,14 +211,15 @@ static void programs_of_other_compilers_are_refused(void **state)
     assert_refused(at(w, "a.o"), "link it with nxcc");
 }
 
-/* Of C or Fortran; NX's programs call PMPI_ names only. */
+/* Of C or Fortran; NX's programs call PMPI_ names only, and of Fortran have a thread-local variable. */
 static void programs_of_other_mpis_are_refused(void **state)
 {
     const char *path = at(*state, "mpi.so");
     for (int k = 0; k < 3; k++) {
         const char *name = (const char *[]){"MPI_Init", "mpi_init_", "PMPI_Init"}[k];
-        shell("echo 'void %s(void); int main(void) { %s(); }' | gcc -shared -fPIC -o %s -x c -", name, name,
-              path);
+        shell("echo 'void %s(void); __thread int x; int main(void) { %s(); return x++; }' |"
+              " gcc -shared -fPIC -o %s -x c -",
+              name, name, path);
         assert_refused(path, k == 2 ? "linked with this computer's MPI by nxcc --mpi: start it with mpirun"
                                     : "build it with the mpicc or mpif90 that nxcc --as-mpi DIR makes");
     }

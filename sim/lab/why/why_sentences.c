@@ -261,21 +261,13 @@ static void cause(struct why *w, FILE *f)
 
 /* --- waiting --- */
 
-static vtime wait_for(const struct why *w, int32_t partner)
-{
-    vtime sum = 0;
-    for (size_t i = 0; i < w->causes.count; i++)
-        sum += w->causes.parts[i].partner == partner ? w->causes.parts[i].idle : 0;
-    return sum;
-}
-
-/* The node for which others waited longest. */
-static int32_t awaited(const struct why *w, vtime *time)
+/* The node for which others waited longest, but for the waits of one node. */
+static int32_t awaited(const struct why *w, int32_t but, vtime *time)
 {
     vtime *of = xcalloc((size_t)w->t->node_count, sizeof *of);
     int32_t most = 0;
     for (size_t i = 0; i < w->causes.count; i++)
-        if (w->causes.parts[i].partner != TRACE_NONE)
+        if (w->causes.parts[i].partner != TRACE_NONE && w->causes.parts[i].node != but)
             of[w->causes.parts[i].partner] += w->causes.parts[i].idle;
     for (int32_t i = 1; i < w->t->node_count; i++)
         most = of[i] > of[most] ? i : most;
@@ -319,8 +311,8 @@ static int by_idle(const void *a, const void *b)
     return x->cause != y->cause ? (int)x->cause - (int)y->cause : (int)x->doing - (int)y->doing;
 }
 
-/* Why nodes waited for the partner (TRACE_NONE: for anybody), the longest first. */
-static void say_reasons(const struct why *w, int32_t partner, vtime all, FILE *f)
+/* Why nodes, but for one, waited for the partner (TRACE_NONE: for anybody), the longest first. */
+static void say_reasons(const struct why *w, int32_t but, int32_t partner, vtime all, FILE *f)
 {
     struct reason reasons[WAIT_CAUSES * TRACE_STATES];
     for (int i = 0; i < WAIT_CAUSES * TRACE_STATES; i++)
@@ -328,7 +320,7 @@ static void say_reasons(const struct why *w, int32_t partner, vtime all, FILE *f
             (struct reason){(enum wait_cause)(i / TRACE_STATES), (enum trace_state)(i % TRACE_STATES), 0};
     for (size_t i = 0; i < w->causes.count; i++) {
         const struct wait_part *p = &w->causes.parts[i];
-        if (partner == TRACE_NONE || p->partner == partner)
+        if (p->node != but && (partner == TRACE_NONE || p->partner == partner))
             reasons[(int)p->cause * TRACE_STATES + (int)p->doing].idle += p->idle;
     }
     qsort(reasons, WAIT_CAUSES * TRACE_STATES, sizeof *reasons, by_idle);
@@ -355,24 +347,26 @@ static vtime time_of_others(const struct why *w, int32_t but, vtime *idle)
 static void waiting(struct why *w, FILE *f)
 {
     vtime part, for_one, idle;
-    int32_t node, partner = awaited(w, &for_one);
+    int32_t node;
     if (w->some_nodes)
         return; /* the tables are about some nodes, the sentences about all */
     bool one = one_decides(w, &node, &part);
-    vtime all = time_of_others(w, one ? node : TRACE_NONE, &idle);
+    int32_t but = one ? node : TRACE_NONE, partner = awaited(w, but, &for_one);
+    vtime all = time_of_others(w, but, &idle);
     if (!worth_a_word(idle, all)) {
-        fprintf(f, "The nodes hardly waited: %s of their time.", why_percent(w->causes.idle, all).text);
+        fprintf(f, "The %snodes hardly waited: %s of their time.", one ? "other " : "",
+                why_percent(idle, all).text);
         return;
     }
     fprintf(f, "The %snodes waited for %s of their time, %s in all", one ? "other " : "",
             why_percent(idle, all).text, why_time(why_unit_for(idle), idle).text);
-    bool mainly = for_one > w->causes.idle / 2 && w->t->node_count > 2;
+    bool mainly = for_one > idle / 2 && w->t->node_count > 2;
     if (mainly)
-        fprintf(f, ". Of all waiting, %s was for %s: ", why_percent(for_one, w->causes.idle).text,
+        fprintf(f, ". Of all waiting, %s was for %s: ", why_percent(for_one, idle).text,
                 node_words(w, partner));
     else
         fputs(": ", f);
-    say_reasons(w, mainly ? partner : TRACE_NONE, mainly ? wait_for(w, partner) : w->causes.idle, f);
+    say_reasons(w, but, mainly ? partner : TRACE_NONE, mainly ? for_one : idle, f);
     fputc('.', f);
 }
 
