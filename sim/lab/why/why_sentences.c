@@ -352,6 +352,17 @@ static vtime time_of_others(const struct why *w, int32_t but, vtime *idle)
     return all;
 }
 
+/* Ends "waited for 14.4 % of their time" with the time of which the reasons are shares: that of all nodes,
+ * as in the tables. idle: the time that the sentence's nodes waited. mainly: a share for one node follows. */
+static void say_all_waiting(const struct why *w, vtime idle, bool mainly, FILE *f)
+{
+    struct why_unit u = why_unit_for(w->causes.idle);
+    if (idle != w->causes.idle)
+        fprintf(f, ". Of the %s that all nodes waited, ", why_time(u, w->causes.idle).text);
+    else
+        fprintf(f, ", %s in all%s", why_time(u, idle).text, mainly ? ". Of all waiting, " : ": ");
+}
+
 static void waiting(struct why *w, FILE *f)
 {
     vtime part, for_one, idle;
@@ -360,18 +371,20 @@ static void waiting(struct why *w, FILE *f)
         return; /* the tables are about some nodes, the sentences about all */
     bool one = one_decides(w, &node, &part);
     vtime all = time_of_others(w, one ? node : TRACE_NONE, &idle);
-    if (!worth_a_word(idle, all)) {
-        fprintf(f, "The nodes hardly waited: %s of their time.", why_percent(w->causes.idle, all).text);
+    if (!w->causes.idle) {
+        fputs("No node waited.", f);
         return;
     }
-    fprintf(f, "The %snodes waited for %s of their time, %s in all", one ? "other " : "",
-            why_percent(idle, all).text, why_time(why_unit_for(idle), idle).text);
+    if (!worth_a_word(idle, all)) {
+        fprintf(f, "The %snodes hardly waited: %s of their time.", one ? "other " : "",
+                why_percent(idle, all).text);
+        return;
+    }
+    fprintf(f, "The %snodes waited for %s of their time", one ? "other " : "", why_percent(idle, all).text);
     bool mainly = for_one > w->causes.idle / 2 && w->t->node_count > 2;
+    say_all_waiting(w, idle, mainly, f);
     if (mainly)
-        fprintf(f, ". Of all waiting, %s was for %s: ", why_percent(for_one, w->causes.idle).text,
-                node_words(w, partner));
-    else
-        fputs(": ", f);
+        fprintf(f, "%s was for %s: ", why_percent(for_one, w->causes.idle).text, node_words(w, partner));
     say_reasons(w, mainly ? partner : TRACE_NONE, mainly ? wait_for(w, partner) : w->causes.idle, f);
     fputc('.', f);
 }
