@@ -199,6 +199,24 @@ static void short_times_are_in_their_own_unit(void **state)
     free(text);
 }
 
+/* Of lines with one value, the page named the first as the lowest. */
+static void lines_with_one_value_win_together(void **state)
+{
+    (void)state;
+    static const char ties[] =
+        "{ \"title\": \"T\", \"about\": \"\", \"program\": \"p\", \"baseline\": \"nodes 1\","
+        "  \"axes\": { \"nodes\": [1, 2], \"scheme\": [\"a\", \"b\", \"c\"] }, \"points\": ["
+        "  { \"nodes\": 1, \"scheme\": \"a\", \"failure\": null, \"time_s\": 8.0 },"
+        "  { \"nodes\": 1, \"scheme\": \"b\", \"failure\": null, \"time_s\": 8.0 },"
+        "  { \"nodes\": 1, \"scheme\": \"c\", \"failure\": null, \"time_s\": 9.0 },"
+        "  { \"nodes\": 2, \"scheme\": \"a\", \"failure\": null, \"time_s\": 4.0 },"
+        "  { \"nodes\": 2, \"scheme\": \"b\", \"failure\": null, \"time_s\": 5.0 },"
+        "  { \"nodes\": 2, \"scheme\": \"c\", \"failure\": null, \"time_s\": 6.0 } ] }\n";
+    char *text = page_of_results(ties, "time_s", "nodes", "scheme", "");
+    says(text, "- The lowest line: scheme a and b at nodes 1; scheme a at nodes 2.\n");
+    free(text);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(table_and_least),
@@ -208,6 +226,7 @@ int main(void)
                                        cmocka_unit_test(names_have_no_first_and_last),
                                        cmocka_unit_test(says_how_many_are_left_out),
                                        cmocka_unit_test(one_point_is_no_points),
-                                       cmocka_unit_test(short_times_are_in_their_own_unit)};
+                                       cmocka_unit_test(short_times_are_in_their_own_unit),
+                                       cmocka_unit_test(lines_with_one_value_win_together)};
     return cmocka_run_group_tests_name("findings", tests, NULL, NULL);
 }
