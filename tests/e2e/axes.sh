@@ -106,8 +106,7 @@ plot first --x knots --y virtual_time_s
 check "no such axis" said 'no picture virtual_time_s: there is no axis knots; there are: nodes, clock'
 plot axes.cfg
 check "a study is no results" said 'axes.cfg:1: these are no results of touchstone study'
-MALLOC_PERTURB_=165 plot first --x nodes --y nothing # what is freed twice shows
-check "no such figure: no signal" ended_with 1
+plot first --x nodes --y nothing
 check "no such figure: those there are" said 'no point has a figure nothing; there are: .*virtual_time_s, .*speedup'
 plot first --baseline clock -o own
 check "a baseline for each clock" grep -q '>baseline: the fewest nodes of each clock<' own/speedup.svg

@@ -32,6 +32,18 @@ static const char RESULTS[] =
     "  { \"nodes\": 8, \"scheme\": \"a\", \"failure\": null, \"time_s\": 6.0, \"speedup\": 1.3 },"
     "  { \"nodes\": 8, \"scheme\": \"b\", \"failure\": \"crashed\" } ] }\n";
 
+/* Writes the results to dir/results.json and reads them. */
+static void read_results(const char *results, const char *dir, struct record_points *points)
+{
+    char path[64], *error = NULL;
+    snprintf(path, sizeof path, "%s/results.json", dir);
+    FILE *f = fopen(path, "w");
+    fputs(results, f);
+    fclose(f);
+    assert_true(record_read(path, points, &error));
+    unlink(path);
+}
+
 /* The page of the results with one picture of the figure; malloc'd. */
 static char *page_of_results(const char *results, const char *figure, const char *x, const char *lines,
                              const char *best)
@@ -39,11 +51,7 @@ static char *page_of_results(const char *results, const char *figure, const char
     char dir[] = "/tmp/findings.XXXXXX", path[64], *error = NULL, *text = calloc(1, 8192);
     struct record_points points;
     assert_non_null(mkdtemp(dir));
-    snprintf(path, sizeof path, "%s/results.json", dir);
-    FILE *f = fopen(path, "w");
-    fputs(results, f);
-    fclose(f);
-    assert_true(record_read(path, &points, &error));
+    read_results(results, dir, &points);
     struct picture picture = {.file = "pic",
                               .title = "title",
                               .x_label = "",
@@ -58,9 +66,8 @@ static char *page_of_results(const char *results, const char *figure, const char
                               .panels_label = ""};
     assert_true(findings_write(&points, &picture, *figure ? 1 : 0, dir, &error));
     record_free(&points);
-    unlink(path);
     snprintf(path, sizeof path, "%s/findings.md", dir);
-    f = fopen(path, "r");
+    FILE *f = fopen(path, "r");
     assert_true(fread(text, 1, 8191, f) > 0);
     fclose(f);
     unlink(path);
@@ -217,6 +224,27 @@ static void lines_with_one_value_win_together(void **state)
     free(text);
 }
 
+/* The values that the message's names came from were freed with them. */
+static void message_of_a_figure_leaves_the_points(void **state)
+{
+    (void)state;
+    char dir[] = "/tmp/findings.XXXXXX";
+    struct record_points points;
+    assert_non_null(mkdtemp(dir));
+    read_results(RESULTS, dir, &points);
+    rmdir(dir);
+    char *before = json_dumps(points.header, 0), *text = record_no_figure(&points, "x_s");
+    char *after = json_dumps(points.header, 0);
+    assert_string_equal(
+        text, "no point has a figure x_s; there are: total_s, wait_s, call_time_s, time_s, speedup");
+    assert_non_null(after);
+    assert_string_equal(before, after);
+    free(before);
+    free(after);
+    free(text);
+    record_free(&points);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(table_and_least),
@@ -227,6 +255,7 @@ int main(void)
                                        cmocka_unit_test(says_how_many_are_left_out),
                                        cmocka_unit_test(one_point_is_no_points),
                                        cmocka_unit_test(short_times_are_in_their_own_unit),
-                                       cmocka_unit_test(lines_with_one_value_win_together)};
+                                       cmocka_unit_test(lines_with_one_value_win_together),
+                                       cmocka_unit_test(message_of_a_figure_leaves_the_points)};
     return cmocka_run_group_tests_name("findings", tests, NULL, NULL);
 }
