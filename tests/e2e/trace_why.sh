@@ -87,6 +87,9 @@ why --json - t.trace
 check "ring: nothing is unknown" eval "grep -q '\"unknown\": 0' out"
 "$BUILD/touchstone" trace why --json why.json --path t.trace 2>err | true
 check "ring: JSON is whole where nobody reads the text" grep -q '"begin_ps"' why.json
+why --path t.trace
+check "ring: the path's places stand in one column" \
+    eval "test \"\$(awk '/csend at|type [0-9]+, / && match(\$0, /  (csend at|type)/) { print RSTART }' out | sort -u | wc -l)\" = 1"
 why --json - --path t.trace
 check "ring: JSON has each step" eval '[ "$(grep -c "\"begin_ps\"" out)" -ge "$(ps step_count out)" ]'
 why --rerun t.trace
