@@ -27,7 +27,8 @@ long nx_check_node(struct node *n, long node)
 {
     long count = n->sys->count;
     if (node == count && !n->sys->host)
-        return node_error(n, EQNODE, "node %ld is the host, and no host program runs", node);
+        return node_error(n, EQNODE, "node %ld is the host, and no host program runs (nodes are 0 to %ld)",
+                          node, count - 1);
     if (node != ALL_NODES && (node < 0 || node > count))
         return node_error(n, EQNODE, "there is no node %ld (nodes are 0 to %ld; -1 is all others)", node,
                           count - 1);

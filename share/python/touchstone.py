@@ -84,7 +84,9 @@ def _value(text):
 
 
 def _of_csv(text):
-    return _table([{key: _value(value) for key, value in row.items()} for row in csv.DictReader(io.StringIO(text))])
+    """Digests are texts, also those of decimal digits only, which would be other numbers."""
+    rows = csv.DictReader(io.StringIO(text))
+    return _table([{key: value if key == "digest" else _value(value) for key, value in row.items()} for row in rows])
 
 
 # --- the command ----------------------------------------------------------------------------------------------------
@@ -193,7 +195,13 @@ def profile(path, lines=False):
     """Where the time of touchstone run --profile went, by function, or by line of source."""
     if lines:
         return _table(json.loads(_call("profile", "--lines", "--json", "-", path).stdout))
-    return _table([_flat(row) for row in json.loads(pathlib.Path(path).read_text())["functions"]])
+    try:
+        functions = json.loads(pathlib.Path(path).read_text(encoding="utf-8"))["functions"]
+    except OSError as error:
+        raise Error(f"{path}: {error.strerror}", 65) from error
+    except (ValueError, KeyError, TypeError) as error:
+        raise Error(f"{path}: no profile of touchstone run --profile", 65) from error
+    return _table([_flat(row) for row in functions])
 
 
 # --- machines -------------------------------------------------------------------------------------------------------

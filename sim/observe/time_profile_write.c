@@ -1,5 +1,6 @@
 /* time_profile_write.c - a profile as a table for people, and as JSON for programs: see time_profile.h. */
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "files/json_set.h"
@@ -22,6 +23,13 @@ static double percent(double part, vtime whole)
     return whole ? 100 * part / vt_seconds(whole) : 0;
 }
 
+/* The decimals of all seconds of the table: the whole time has five digits, as in touchstone profile. */
+static int decimals(vtime all)
+{
+    double seconds = vt_seconds(all);
+    return seconds > 0 && seconds < 1e4 ? 4 - (int)floor(log10(seconds)) : 0;
+}
+
 /* Prints the line's share of all nodes' time; if there are two classes, also of each class's time. */
 static void print_line(const struct profile *p, FILE *f, const struct line *l)
 {
@@ -31,7 +39,7 @@ static void print_line(const struct profile *p, FILE *f, const struct line *l)
     if (armed && others)
         fprintf(f, " %8.2f%% %8.2f%%", percent(l->seconds[PROFILE_ARMED], armed),
                 percent(l->seconds[PROFILE_OTHERS], others));
-    fprintf(f, " %15.6f  %s", seconds, l->name);
+    fprintf(f, " %15.*f  %s", decimals(armed + others), seconds, l->name);
 }
 
 static void print_function(const struct profile *p, FILE *f, const struct profile_function *fn)

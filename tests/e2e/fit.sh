@@ -49,7 +49,7 @@ check "the time of an interrupt is found" near interrupt 137.25
 check "what has no influence is named" shows '^disk .* 400 +400 +any  not determined: no measured figure changes with it$'
 check "the others are not" test "$(grep -c 'not determined' out)" = 1
 check "sensitivities are shown" shows '^messages 100, interrupts 0: total_s +\+0\.[1-9][0-9]* +\+0\.0+ +\+0\.0+$'
-check "each evaluation is told as it comes" said '^ +1  rms, percent [0-9.]+  send 40  interrupt 89.4427  disk 400$'
+check "each evaluation is told as it comes" said '^ +1  rms, percent +[0-9]+\.[0-9]{4}  send 40.0000  interrupt 89.4427  disk 400.000$'
 check "the constants are those" grep -qE '^    \( "system.short_send_us=63\.[67][0-9]*", "3 measurements in measured.csv, parts.cfg" \)' runs/fitted.cfg
 check "what is not determined is none" bash -c '! sed -n "/^constants/,/^)/p" runs/fitted.cfg | grep -q request'
 check "where they come from is there" grep -qE '^    rows = \($' runs/fitted.cfg
@@ -162,10 +162,10 @@ wrong "an unknown key" 's/ measurements/ measurement/' 'wrong.cfg:15: measuremen
 wrong "a setting that the machine has not got" 's/short_send_us/shirt_send_us/' '.*shirt_send_us'
 wrong "no such file" 's/measured.csv/none.csv/' 'none.csv: No such file'
 for bad in 's/^0,40,/0,41,/:measured.csv:2: messages 0, interrupts 41: total_s is no point of the study' \
-    's/total_s/totals_s/:measured.csv:2: messages 0, interrupts 40: totals_s: the run has no such figure' \
+    's/total_s/totals_s/:measured.csv:2: messages 0, interrupts 40: totals_s: the run has no such figure, or it is no number; it has: .*virtual_time_s' \
     's/^100,0,.*/100,0,fast/:measured.csv:3: total_s: .fast. is no number' \
     's/^100,0,/100,/:measured.csv:3: 2 cells, and 3 names' \
-    's/^messages,/message,/:measured.csv:2: which messages\?'; do
+    's/^messages,/message,/:measured.csv:2: which messages\? The measurements have no column of that name'; do
     cp measured.csv good.csv
     sed -i "${bad%%:*}" measured.csv
     fit parts.cfg

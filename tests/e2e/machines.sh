@@ -31,6 +31,8 @@ check "numbers of an included file" shows '^cfs\.disks +[0-9]+ +[a-z]+ '
 
 machines diff delta ./own.cfg
 check "all that differs" test "$(tail -n +2 out | awk '{ print $1, $2, $3 }' | paste -sd ,)" = "system.call_us 5 7.5,system.message_ids 500 9"
+machines diff delta delta
+check "no difference: no empty table" test "$(cat out)" = "delta and delta have the same numbers"
 machines diff delta ipsc860
 check "a number that one has not" shows '^topology\.rows +16 +-$'
 check "the other way, too" shows '^topology\.dimension +- +7$'

@@ -48,6 +48,9 @@ run -n 2 --profile p2.json plain
 check "a program built otherwise is an error" ended_with 65
 check "that says how to build it" said 'nxcc --profile'
 check "and writes nothing" test ! -e p2.json
+echo 'int main(void) { volatile int x = 0; while (x < 1000) x += 1; return 0; }' >short.c
+"$BUILD/nxcc" -O2 --profile -o short short.c && run -n 1 --profile short.json short
+check "a short run's seconds have five digits" grep -qE '^100.00% +0\.000[0-9]{5} +main ' err
 run -n 2 --profile nowhere/p.json profiled
 check "so is a file that cannot be written" said 'nowhere/p.json cannot be written'
 

@@ -28,6 +28,8 @@ says "a setting" True "t.run('ring', machine='ipsc860', nodes=4, set=['system.sh
 says "settings as a dictionary, or one as a text" "True True" "(lambda s: f\"{s({'system.short_send_us': 500}) == s(['system.short_send_us=500'])} {s('system.short_send_us=500') > $(time_of)}\")(lambda setting: t.run('ring', machine='ipsc860', nodes=4, set=setting).time_s)"
 says "a notebook's table" "True 4" "(lambda h: f\"{'on 4 nodes of ipsc860' in h} {h.count('<tr><td>')}\")(t.run('ring', machine='ipsc860', nodes=4)._repr_html_())"
 says "a study: a row a point" "[2, 4]" "t.results('study').column('nodes')"
+printf 'nodes,digest\n1,"0000000000000000"\n2,"12e4567890123456"\n' >study/results.csv
+says "a digest of digits only is a text" "['0000000000000000', '12e4567890123456']" "t.results('study').column('digest')"
 says "a trace: a row a message" "$(jq .messages run.json)" "len(t.trace('t.trace', 'messages'))"
 says "why: its sentences" True "str(t.why('t.trace')).startswith('ring took ')"
 says "why: at the prompt, too" True "repr(t.why('t.trace')).startswith('ring took ')"
@@ -47,14 +49,14 @@ cd .. || exit 1
 cat >wrong.py <<'END'
 import touchstone
 for call in (lambda: touchstone.run("nowhere"), lambda: touchstone.numbers("detla"), lambda: touchstone.why("no.trace"),
-             lambda: touchstone.results("nowhere")):
+             lambda: touchstone.results("nowhere"), lambda: touchstone.profile("no.json"), lambda: touchstone.profile("t.trace")):
     try:
         call()
     except touchstone.Error as e:
         print(e.status, "detla" in str(e) or "no" in str(e))
 END
 /usr/bin/python3 wrong.py >out 2>err
-check "errors are raised, with the command's words" test "$(cat out)" = "$(printf '65 True\n65 True\n65 True\n65 True')"
+check "errors are raised, with the command's words" test "$(cat out)" = "$(yes '65 True' | head -6)"
 
 # pandas, by a part of it that takes what a DataFrame takes.
 mkdir pandas

@@ -5,7 +5,8 @@
 "$BUILD/touchstone" tables -t 1 -o first >out 2>err
 status=$?
 check "it ends well" ended_with 0
-check "every row stands beside the paper's" test "$(grep -cE '^ +[0-9]+ +[0-9.]+ +[0-9.]+ +[-+][0-9.]+ %' out)" = 8
+check "every row stands beside the paper's" test "$(grep -cE '^ +[0-9]+ +[0-9.]+ +[0-9.]+ +[-+]?[0-9.]+ %' out)" = 8
+check "an error of nothing has no sign" bash -c '! grep -qE "[-+]0\.0 %" out'
 # Of a line: where its words end; the sign and the unit of an error belong to its word.
 ends() { sed 's/ %/_%/' | awk '{ while (match(substr($0, at + 1), /[^ ]+/)) { at += RSTART + RLENGTH - 1; printf "%d ", at } }'; }
 check "each column ends where its head ends" test "$(grep '^ *nodes .*simulated' out | ends)" = "$(grep -m 1 '^ *2 ' out | ends)"

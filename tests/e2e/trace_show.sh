@@ -53,6 +53,9 @@ check "which is said" grep -qx ring-gantt.png out
 show matrix -o matrix.svg --by bytes ring.trace
 check "the name says that it is an SVG" is_svg matrix.svg
 check "bytes are not messages" test "$(cmp -s matrix.svg svg/matrix.svg && echo same)" = ""
+mkdir folder
+show matrix -o folder/ ring.trace
+check "a folder's name may end in a slash" grep -qx folder/matrix.png out
 show matrix -o - ring.trace
 check "- is standard output" cmp out png/matrix.png
 show gantt -o some.png --from 1ms --to 2ms --nodes 0-2,5 ring.trace

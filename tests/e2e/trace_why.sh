@@ -87,6 +87,9 @@ why --json - t.trace
 check "ring: nothing is unknown" eval "grep -q '\"unknown\": 0' out"
 "$BUILD/touchstone" trace why --json why.json --path t.trace 2>err | true
 check "ring: JSON is whole where nobody reads the text" grep -q '"begin_ps"' why.json
+why --path t.trace
+check "ring: the path's places stand in one column" \
+    eval "test \"\$(awk '/csend at|type [0-9]+, / && match(\$0, /  (csend at|type)/) { print RSTART }' out | sort -u | wc -l)\" = 1"
 why --json - --path t.trace
 check "ring: JSON has each step" eval '[ "$(grep -c "\"begin_ps\"" out)" -ge "$(ps step_count out)" ]'
 why --rerun t.trace
@@ -104,6 +107,8 @@ check "served: the file is waited for" prints 'disk +in cwrite at served.c:42 \(
 traced -m ipsc860 -n 2 served
 why --than t.trace many.trace
 check "--than: what grew" prints 'The run of t.trace, on 2 nodes, took [0-9.]+ m?s. This one took [0-9.]+ m?s more. On the critical path, handlers grew most'
+check "--than: the sentence has the digits of the table" \
+    eval 'prints "This one took $(awk "/^  all / && NF == 4 { print substr(\$NF, 2); exit }" out) m?s more"'
 check "--than: its columns are aligned" test "$(sed -n '/^Critical path, .* this run/,/^$/p' out | awk 'NF { print length }' | sort -u | wc -l)" = 1
 check "waits' causes: the longest first" \
     eval "sed -n '/^Waits of all nodes, by cause/,/all idle time/p' out | sed '1d; \$d' | awk '{ print \$(NF - 1) }' | sort -nrc"
@@ -118,6 +123,7 @@ echo 'int main(void) { volatile int x = 0; while (x < 1000) x += 1; return 0; }'
 why t.trace
 check "alone: one step, and nothing is very many times faster but its table's row" \
     eval 'grep -q "^Critical path, 1 step  " out && [ "$(grep -c "very many" out)" = 1 ]'
+check "alone: no call names a function, and nobody waited" eval 'prints "main or others" && prints "No node waited\."'
 
 # The function that worked, which made no call itself, not that of the next call.
 "$BUILD/nxcc" -O2 -g -o steps "$tests/steps.c" && traced -m delta -n 4 steps

@@ -219,7 +219,7 @@ static void time_that_moved_is_told_by_function_first(void **state)
     assert_int_equal(p->moves[2].kind, COMPARE_IDLE);
     char *text = printed(p);
     assert_string_equal(text, "WORSE   s: nodes 2\n"
-                              "  worse   total_s              1 -> 1.5 (+50.00 %, +0.5)\n"
+                              "  worse   total_s              1.0 -> 1.5 (+50.00 %, +0.5)\n"
                               "  where the time of all nodes moved:\n"
                               "    nodes     memcpy called by pack (a.c) +2.000000 s (+100.0 %)\n"
                               "    nodes     mix (a.c) +0.500000 s (+50.0 %)\n"

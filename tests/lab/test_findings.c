@@ -32,6 +32,18 @@ static const char RESULTS[] =
     "  { \"nodes\": 8, \"scheme\": \"a\", \"failure\": null, \"time_s\": 6.0, \"speedup\": 1.3 },"
     "  { \"nodes\": 8, \"scheme\": \"b\", \"failure\": \"crashed\" } ] }\n";
 
+/* Writes the results to dir/results.json and reads them. */
+static void read_results(const char *results, const char *dir, struct record_points *points)
+{
+    char path[64], *error = NULL;
+    snprintf(path, sizeof path, "%s/results.json", dir);
+    FILE *f = fopen(path, "w");
+    fputs(results, f);
+    fclose(f);
+    assert_true(record_read(path, points, &error));
+    unlink(path);
+}
+
 /* The page of the results with one picture of the figure; malloc'd. */
 static char *page_of_results(const char *results, const char *figure, const char *x, const char *lines,
                              const char *best)
@@ -39,11 +51,7 @@ static char *page_of_results(const char *results, const char *figure, const char
     char dir[] = "/tmp/findings.XXXXXX", path[64], *error = NULL, *text = calloc(1, 8192);
     struct record_points points;
     assert_non_null(mkdtemp(dir));
-    snprintf(path, sizeof path, "%s/results.json", dir);
-    FILE *f = fopen(path, "w");
-    fputs(results, f);
-    fclose(f);
-    assert_true(record_read(path, &points, &error));
+    read_results(results, dir, &points);
     struct picture picture = {.file = "pic",
                               .title = "title",
                               .x_label = "",
@@ -58,9 +66,8 @@ static char *page_of_results(const char *results, const char *figure, const char
                               .panels_label = ""};
     assert_true(findings_write(&points, &picture, *figure ? 1 : 0, dir, &error));
     record_free(&points);
-    unlink(path);
     snprintf(path, sizeof path, "%s/findings.md", dir);
-    f = fopen(path, "r");
+    FILE *f = fopen(path, "r");
     assert_true(fread(text, 1, 8191, f) > 0);
     fclose(f);
     unlink(path);
@@ -199,6 +206,45 @@ static void short_times_are_in_their_own_unit(void **state)
     free(text);
 }
 
+/* Of lines with one value, the page named the first as the lowest. */
+static void lines_with_one_value_win_together(void **state)
+{
+    (void)state;
+    static const char ties[] =
+        "{ \"title\": \"T\", \"about\": \"\", \"program\": \"p\", \"baseline\": \"nodes 1\","
+        "  \"axes\": { \"nodes\": [1, 2], \"scheme\": [\"a\", \"b\", \"c\"] }, \"points\": ["
+        "  { \"nodes\": 1, \"scheme\": \"a\", \"failure\": null, \"time_s\": 8.0 },"
+        "  { \"nodes\": 1, \"scheme\": \"b\", \"failure\": null, \"time_s\": 8.0 },"
+        "  { \"nodes\": 1, \"scheme\": \"c\", \"failure\": null, \"time_s\": 9.0 },"
+        "  { \"nodes\": 2, \"scheme\": \"a\", \"failure\": null, \"time_s\": 4.0 },"
+        "  { \"nodes\": 2, \"scheme\": \"b\", \"failure\": null, \"time_s\": 5.0 },"
+        "  { \"nodes\": 2, \"scheme\": \"c\", \"failure\": null, \"time_s\": 6.0 } ] }\n";
+    char *text = page_of_results(ties, "time_s", "nodes", "scheme", "");
+    says(text, "- The lowest line: scheme a and b at nodes 1; scheme a at nodes 2.\n");
+    free(text);
+}
+
+/* The values that the message's names came from were freed with them. */
+static void message_of_a_figure_leaves_the_points(void **state)
+{
+    (void)state;
+    char dir[] = "/tmp/findings.XXXXXX";
+    struct record_points points;
+    assert_non_null(mkdtemp(dir));
+    read_results(RESULTS, dir, &points);
+    rmdir(dir);
+    char *before = json_dumps(points.header, 0), *text = record_no_figure(&points, "x_s");
+    char *after = json_dumps(points.header, 0);
+    assert_string_equal(
+        text, "no point has a figure x_s; there are: total_s, wait_s, call_time_s, time_s, speedup");
+    assert_non_null(after);
+    assert_string_equal(before, after);
+    free(before);
+    free(after);
+    free(text);
+    record_free(&points);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(table_and_least),
@@ -208,6 +254,8 @@ int main(void)
                                        cmocka_unit_test(names_have_no_first_and_last),
                                        cmocka_unit_test(says_how_many_are_left_out),
                                        cmocka_unit_test(one_point_is_no_points),
-                                       cmocka_unit_test(short_times_are_in_their_own_unit)};
+                                       cmocka_unit_test(short_times_are_in_their_own_unit),
+                                       cmocka_unit_test(lines_with_one_value_win_together),
+                                       cmocka_unit_test(message_of_a_figure_leaves_the_points)};
     return cmocka_run_group_tests_name("findings", tests, NULL, NULL);
 }

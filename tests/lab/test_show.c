@@ -500,6 +500,9 @@ static void scales_are_round(void **state)
     (void)state;
     assert_true(axis_step(100, 5) == 20);
     assert_true(axis_step(101, 5) == 50);
+    assert_true(axis_count_step(1, 5) == 1); /* half a message was a tick */
+    assert_true(axis_count_step(101, 5) == 50);
+    assert_true(axis_count_step(0.5, 5) == axis_step(0.5, 5));
     assert_true(fabs(axis_step(0.007, 7) - 0.001) < 1e-15);
     assert_true(axis_end(6) == 6);
     assert_true(axis_end(6.1) == 8);

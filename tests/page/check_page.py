@@ -25,6 +25,12 @@ def load(name):
         return json.load(file)
 
 
+def picoseconds(text):
+    """Of "0 s", "2.6878 ms", "10 µs"."""
+    number, unit = text.replace("\u202f", "").replace("\u00a0", " ").split(" ")
+    return float(number) * {"s": 1e12, "ms": 1e9, "µs": 1e6, "ns": 1e3, "ps": 1}[unit]
+
+
 def section(b, word):
     """The section whose heading has the word."""
     for s in b.driver.find_elements(By.CSS_SELECTOR, "main > section"):
@@ -120,7 +126,9 @@ def check_run(b):
     data = load("run.json")
     text = section(b, "Run of").text.replace("\u202f", "").replace("\u00a0", " ")
     rough = b.run("return [73.1e12, 0.99996e12, 5e6, -30.1e9, 12345.6e12, 0].map(roughly)")
-    rule("durations have four figures", plain("|".join(rough)) == "73.10 s|1.000 s|5.000 µs|-30.10 ms|12346 s|0 ps", rough)
+    rule("durations have four figures", plain("|".join(rough)) == "73.10 s|1.000 s|5.000 µs|-30.10 ms|12346 s|0 s", rough)
+    column = b.run("const c = [20000000n, 500000n, 0n]; return c.map(showAlike(c)).map(v => v.textContent ?? v)")
+    rule("durations in a column have the unit of the longest", plain("|".join(column)) == "20.000 µs|0.500 µs|0.000 µs", column)
     rule("run: its virtual time for people", f"{data['virtual_time_s'] * 1e3:#.4g} ms" in text, text[:300])
     exact = f"{data['virtual_time_s']!r} s"
     time = section(b, "Run of").find_element(By.CSS_SELECTOR, ".rounded")
@@ -143,7 +151,7 @@ def check_timeline(b):
     exact = str(round(load("run.json")["virtual_time_s"] * 1e12))
     rule("timeline: pieces reach the end, to the picosecond", set(pieces) == {last} and last == exact, (last, exact, pieces))
     whole = interval()
-    rule("timeline: it begins with the whole run", whole[0] == "0 s" and abs(float(whole[1][:-2]) * 1e12 - int(last)) < 1e-4 * int(last)
+    rule("timeline: it begins with the whole run", whole[0] == "0 s" and abs(picoseconds(whole[1]) - int(last)) < 1e-4 * int(last)
          and b.run("const t = arguments[0].timeline; return String(t.viewTo()) === String(t.trace.end)", canvas), whole)
     b.run("arguments[0].click()", s.find_element(By.CSS_SELECTOR, "[aria-label='Zoom in']"))
     rule("timeline: a button zooms", interval()[0] != "0 s", interval())
@@ -162,7 +170,7 @@ def check_timeline(b):
     begin.clear()
     begin.send_keys("0.01ms" + Keys.ENTER)
     b.run("arguments[0].blur()", begin)
-    rule("timeline: an interval can be typed", interval()[0] == "0.00001 s", interval())
+    rule("timeline: an interval can be typed", interval()[0] == "10 µs", interval())
     canvas.send_keys("0")
     search = s.find_element(By.CSS_SELECTOR, "input[type=search]")
     search.send_keys("crecv type 5 node 3")
@@ -274,7 +282,7 @@ def check_shares(b, s, last):
     cells = b.until("""const rows = [...arguments[0].querySelectorAll('tbody tr')];
         return rows.length && rows.map(r => [...r.cells].slice(1).map(c => c.querySelector('.rounded')?.title ?? c.textContent))""".replace("arguments[0]",
                     "[...document.querySelectorAll('details[open]')].at(-1)"))
-    number = lambda text: int(round(float(text.replace("\u202f", "").replace("\u00a0", "").rstrip("s")) * 1e12))
+    number = lambda text: round(picoseconds(text))
     sums = {sum(number(c) for c in row) for row in cells}
     rule("timeline: the states of each node add up to the run", sums == {int(last)}, (sums, last))
 

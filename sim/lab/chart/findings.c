@@ -284,21 +284,40 @@ static void say_best(const struct page *p, size_t panel, size_t line)
     fputs(".\n", p->out);
 }
 
-/* The line that is best at x; d->lines.count if fewer than two lines differ there. */
-static size_t winner(const struct page *p, size_t panel, size_t x)
+/* The best value at x; NAN if fewer than two lines differ there. */
+static double best_at(const struct page *p, size_t panel, size_t x)
+{
+    double best = NAN;
+    bool differ = false;
+    for (size_t line = 0; line < p->data->lines.count; line++) {
+        double v = merit(p, panel, line, x);
+        differ |= !isnan(v) && !isnan(best) && v != best;
+        best = fmin(best, v);
+    }
+    return differ ? best : NAN;
+}
+
+static bool same_winners(const struct page *p, size_t panel, size_t x, size_t other)
+{
+    double best = best_at(p, panel, x), other_best = best_at(p, panel, other);
+    for (size_t line = 0; line < p->data->lines.count; line++)
+        if ((merit(p, panel, line, x) == best) != (merit(p, panel, line, other) == other_best))
+            return false;
+    return true;
+}
+
+/* Writes "machine delta", or "machine delta and paragon", which have the same value. */
+static void write_winners(const struct page *p, size_t panel, size_t x)
 {
     const struct chart_data *d = p->data;
-    size_t best = d->lines.count;
-    bool differ = false;
-    for (size_t line = 0; line < d->lines.count; line++) {
-        double v = merit(p, panel, line, x);
-        if (isnan(v))
-            continue;
-        differ |= best < d->lines.count && v != merit(p, panel, best, x);
-        if (best == d->lines.count || v < merit(p, panel, best, x))
-            best = line;
-    }
-    return differ ? best : d->lines.count;
+    double best = best_at(p, panel, x);
+    const char *before = *d->lines.name ? " " : "";
+    fputs(d->lines.name, p->out);
+    for (size_t line = 0; line < d->lines.count; line++)
+        if (merit(p, panel, line, x) == best) {
+            fprintf(p->out, "%s%s", before, line_name(p, line));
+            before = " and ";
+        }
 }
 
 static void say_winners(const struct page *p, size_t panel)
@@ -306,16 +325,16 @@ static void say_winners(const struct page *p, size_t panel)
     const struct chart_data *d = p->data;
     bool any = false;
     for (size_t x = 0; x < d->x.count;) {
-        size_t line = winner(p, panel, x), end = x + 1;
-        while (end < d->x.count && winner(p, panel, end) == line)
+        size_t end = x + 1;
+        while (end < d->x.count && same_winners(p, panel, x, end))
             end++;
-        if (line < d->lines.count) {
+        if (!isnan(best_at(p, panel, x))) {
             if (any)
                 fputs("; ", p->out);
             else
                 fprintf(p->out, "- The %s line: ", strcmp(best_word(p), "most") ? "lowest" : "highest");
-            fprintf(p->out, "%s%s%s at %s %s", d->lines.name, *d->lines.name ? " " : "", line_name(p, line),
-                    d->x.name, d->x.label[x]);
+            write_winners(p, panel, x);
+            fprintf(p->out, " at %s %s", d->x.name, d->x.label[x]);
             if (end - x > 1)
                 fprintf(p->out, " to %s", d->x.label[end - 1]);
             any = true;

@@ -208,7 +208,7 @@ static bool add_figures(void *arg, const json_t *point, char **error)
     json_object_foreach((json_t *)point, key, value)
     {
         if (json_is_number(value))
-            json_set(arg, key, value);
+            json_set(arg, key, json_incref(value));
     }
     return true;
 }

@@ -2,6 +2,7 @@
 #include "lab/check/compare_print.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { MOST_MOVES = 5 };               /* shown of each kind */
@@ -32,15 +33,52 @@ static void print_value(const json_t *value, FILE *out)
         }
 }
 
+static bool is_exact(double number, int decimals)
+{
+    char short_text[512], text[32];
+    snprintf(short_text, sizeof short_text, "%.*f", decimals, number);
+    snprintf(text, sizeof text, "%.12g", number);
+    return strtod(short_text, NULL) == strtod(text, NULL);
+}
+
+static bool differ(double a, double b, int decimals)
+{
+    double unit = pow(10, -decimals);
+    return round(a / unit) != round(b / unit);
+}
+
+/* With so many decimals the larger of two numbers has six digits; it has more where the two would not
+ * differ, and fewer where both have fewer. */
+static int decimals_of(double a, double b)
+{
+    double most = fmax(fabs(a), fabs(b));
+    int six = most > 0 ? 5 - (int)floor(log10(most)) : 0, decimals = 0;
+    while (decimals < 15 && !(is_exact(a, decimals) && is_exact(b, decimals)) &&
+           !(decimals >= six && differ(a, b, decimals)))
+        decimals++;
+    return decimals;
+}
+
 static void print_change(const struct compare_figure *f, FILE *out)
 {
-    print_value(f->before, out);
-    fputs(" -> ", out);
-    print_value(f->after, out);
-    if (!isnan(f->change_pct))
-        fprintf(out, " (%+.2f %%, %+.6g)", f->change_pct, f->change);
-    else if (!isnan(f->change))
-        fprintf(out, " (%+.6g)", f->change);
+    double before = json_number_value(f->before), after = json_number_value(f->after);
+    bool numbers = json_is_number(f->before) && json_is_number(f->after);
+    int decimals = numbers ? decimals_of(before, after) : 0;
+    if (numbers) {
+        fprintf(out, "%.*f -> %.*f", decimals, before, decimals, after);
+    } else {
+        print_value(f->before, out);
+        fputs(" -> ", out);
+        print_value(f->after, out);
+    }
+    if (isnan(f->change))
+        return;
+    fputs(" (", out);
+    if (f->change_pct >= 1000)
+        fprintf(out, "%.0f times as much, ", 1 + f->change_pct / 100);
+    else if (!isnan(f->change_pct))
+        fprintf(out, "%+.2f %%, ", f->change_pct);
+    fprintf(out, "%+.*f)", decimals, f->change);
 }
 
 static void print_figures(const struct compare_point *p, FILE *out)

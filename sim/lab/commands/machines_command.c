@@ -127,22 +127,32 @@ static void each_difference(const struct machine pair[2], difference *tell, void
 
 struct columns {
     FILE *f;
+    const struct machine *pair;
     int key, value;
+    bool any; /* a line has been written, and so the head, too */
 };
+
+static void print_row(const struct columns *c, const char *key, const char *left, const char *right)
+{
+    fprintf(c->f, "%-*s  %-*s  %s\n", c->key, key, c->value, left, right);
+}
 
 static void print_difference(void *to, const char *key, const char *values[2])
 {
     struct columns *c = to;
-    fprintf(c->f, "%-*s  %-*s  %s\n", c->key, key, c->value, values[0] ? values[0] : "-",
-            values[1] ? values[1] : "-");
+    if (!c->any)
+        print_row(c, "", c->pair[0].cfg->name, c->pair[1].cfg->name);
+    c->any = true;
+    print_row(c, key, values[0] ? values[0] : "-", values[1] ? values[1] : "-");
 }
 
 static void print_differences(const struct machine pair[2], FILE *f)
 {
     int a = widest(pair[0].numbers), b = widest(pair[1].numbers);
-    struct columns c = {f, a > b ? a : b, 16};
-    fprintf(f, "%-*s  %-*s  %s\n", c.key, "", c.value, pair[0].cfg->name, pair[1].cfg->name);
+    struct columns c = {f, pair, a > b ? a : b, 16, false};
     each_difference(pair, print_difference, &c);
+    if (!c.any)
+        fprintf(f, "%s and %s have the same numbers\n", pair[0].cfg->name, pair[1].cfg->name);
 }
 
 static void print(const struct arguments *a, const struct machine *list, int count)

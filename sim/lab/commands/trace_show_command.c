@@ -205,7 +205,8 @@ static char *path_of(const struct arguments *a, const struct display *d)
     if (a->output && (picture_kind_of(a->output) || !strcmp(a->output, "-")))
         return xstrdup(a->output);
     if (a->output)
-        return xasprintf("%s/%s.%s", a->output, d->name, ending);
+        return xasprintf("%s%s%s.%s", a->output,
+                         *a->output && a->output[strlen(a->output) - 1] == '/' ? "" : "/", d->name, ending);
     const char *path = a->run.path, *base = basename(path), *dot = strrchr(base, '.');
     size_t length = dot && dot > base ? (size_t)(dot - path) : strlen(path);
     return xasprintf("%.*s-%s%s.%s", (int)length, path, d->name, a->other.path ? "-than" : "", ending);

@@ -32,6 +32,12 @@ double axis_step(double range, int most)
     return 10 * power;
 }
 
+double axis_count_step(double range, int most)
+{
+    double step = axis_step(range, most);
+    return range >= 1 ? fmax(1, step) : step;
+}
+
 /* --- time --- */
 
 static const struct time_unit {
@@ -135,7 +141,7 @@ static void title_upward(const struct canvas *c, struct plot p, double labels, c
 void axes_number(const struct canvas *c, struct plot p, double most, bool bytes, const char *title)
 {
     const struct text_style label = {SMALL, INK, ANCHOR_RIGHT, false};
-    double step = axis_step(most, (int)fmax(2, p.h / 34)), wide = 0;
+    double step = axis_count_step(most, (int)fmax(2, p.h / 34)), wide = 0;
     for (double v = 0; most > 0 && v <= most * (1 + 1e-12); v += step) {
         double y = p.y + p.h - v / most * p.h;
         char *text = axis_number_text(v, bytes && v > 0);

@@ -7,6 +7,8 @@
 
 /* The step between ticks so that at most `most` of them divide the range: 1, 2 or 5 times a power of ten. */
 double axis_step(double range, int most);
+/* The same for things that are counted, such as nodes: 1 or more, unless the range is less than one. */
+double axis_count_step(double range, int most);
 /* A round number, most or more: at which a scale may end. 1 if most is 0. */
 double axis_end(double most);
 /* A time for people, of which differences of `resolution` show: "1.25 ms", "0". malloc'd. */
@@ -19,7 +21,7 @@ char *axis_percent_text(double share);
 
 /* The axis of time below the plot, in s, ms, us, ns or ps; far from 0, as time after a round one. */
 void axes_time(const struct canvas *c, struct plot p, vtime from, vtime to);
-/* The axis of a number from 0 to most, left of the plot, with lines across it. */
+/* The axis of a count from 0 to most, left of the plot, with lines across it. */
 void axes_number(const struct canvas *c, struct plot p, double most, bool bytes, const char *title);
 /* The rows' labels, as many as there is room for, left of the plot. */
 void axes_rows(const struct canvas *c, struct plot p, const struct node_rows *r, const struct trace *t,

@@ -102,7 +102,8 @@ void heat_bar(const struct canvas *c, struct plot p, const struct heat *h, enum 
     }
     canvas_frame(c, (struct plot){p.x, p.y, 14, p.h});
     canvas_text(c, p.x, p.y - 10, (struct text_style){10.5, INK, ANCHOR_LEFT, false}, title);
-    double step = axis_step(h->most, (int)fmin(MOST_STEPS, fmax(1, p.h / LABELS_APART)));
+    int steps = (int)fmin(MOST_STEPS, fmax(1, p.h / LABELS_APART));
+    double step = unit == HEAT_PERCENT ? axis_step(h->most, steps) : axis_count_step(h->most, steps);
     if (h->logarithmic && h->most > 2 * pow(10, floor(log10(h->most))))
         tick(c, p, h, h->most, unit);
     for (double v = h->logarithmic ? h->least : 0; v <= h->most * (1 + 1e-9);

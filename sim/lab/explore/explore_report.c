@@ -61,6 +61,12 @@ static size_t made_of_depth(const struct search *s, uint32_t depth)
     return pct / s->draw.depth + (pct % s->draw.depth >= depth);
 }
 
+static void print_depth(const struct search *s, double runs, uint32_t depth, FILE *out)
+{
+    fprintf(out, "\n             depth %" PRIu32 " in at most %.0f run%s of that depth; %zu made", depth,
+            runs, runs == 1 ? "" : "s", made_of_depth(s, depth));
+}
+
 static void print_guarantee(const struct explore *x, FILE *out)
 {
     const struct search *s = &x->search;
@@ -68,10 +74,9 @@ static void print_guarantee(const struct explore *x, FILE *out)
     fprintf(out,
             "  guarantee  PCT, if these bounds allow every order, finds with 95 %% probability a fault of");
     for (uint32_t depth = 1; depth <= s->draw.depth && depth <= 3; depth++)
-        fprintf(out, "\n             depth %" PRIu32 " in at most %.0f runs of that depth; %zu made", depth,
-                guarantee_runs(s->base_nodes, events, depth), made_of_depth(s, depth));
-    fprintf(out, "\n             (%" PRIu32 " programs, %" PRIu64 " messages and handlers)\n", s->base_nodes,
-            events);
+        print_depth(s, guarantee_runs(s->base_nodes, events, depth), depth, out);
+    fprintf(out, "\n             (%" PRIu32 " program%s, %" PRIu64 " message%s and handlers)\n",
+            s->base_nodes, s->base_nodes == 1 ? "" : "s", events, events == 1 ? "" : "s");
 }
 
 /* --- an outcome ----------------------------------------------------------------------------------------- */

@@ -55,13 +55,25 @@ static void print_parameters(const struct fit *f, const struct fit_result *r, FI
     }
 }
 
+/* With so many decimals the largest value of the measurement's figure has six digits. */
+static int decimals_of(const struct fit *f, const struct fit_result *r, size_t of)
+{
+    double most = 0;
+    for (size_t i = 0; i < f->measurements; i++)
+        if (!strcmp(f->measurement[i].figure, f->measurement[of].figure))
+            most = fmax(most, fmax(fabs(r->before[i]), fabs(r->after[i])));
+    return most > 0 && most < 1e5 ? 5 - (int)floor(log10(most)) : 0;
+}
+
 static void print_measurements(const struct fit *f, const struct fit_result *r, FILE *out)
 {
     fprintf(out, "\n%-40s %14s %14s %14s %9s\n", "measurement", "measured", "at the start", "fitted",
             "error");
     for (size_t i = 0; i < f->measurements; i++) {
         const struct fit_measurement *m = &f->measurement[i];
-        fprintf(out, "%-40s %14.9g %14.9g %14.9g ", m->name, m->value, r->before[i], r->after[i]);
+        int decimals = decimals_of(f, r, i);
+        fprintf(out, "%-40s %14.9g %14.*f %14.*f ", m->name, m->value, decimals, r->before[i], decimals,
+                r->after[i]);
         if (m->value != 0)
             fprintf(out, "%+8.3f%%\n", 100 * (r->after[i] - m->value) / fabs(m->value));
         else

@@ -84,7 +84,7 @@ static json_t *axes_of(const struct fit *f, const json_t *cells, const char *at,
         if (cell) {
             json_object_set(where, axis->name, cell);
         } else if (axis->count > 1) {
-            *error = xasprintf("%s: which %s?", at, axis->name);
+            *error = xasprintf("%s: which %s? The measurements have no column of that name", at, axis->name);
             json_decref(where);
             return NULL;
         }

@@ -1,6 +1,7 @@
 /* fit_try.c - one evaluation of a fit: runs the study with certain values of the parameters and compares it
  * with the measurements. A fit that was interrupted repeats its evaluations quickly: their points are in the
  * study's journal and in the result cache. */
+#include "files/json_set.h"
 #include "files/number.h"
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
@@ -69,7 +70,10 @@ static bool visit_point(void *arg, const json_t *point, char **error)
             continue;
         const char *reason = failure ? failure : "the run has no such figure, or it is no number";
         if (!f->evaluations) {
-            *error = xasprintf("%s: %s%s: %s", m->at, m->name, failure ? " failed" : "", reason);
+            char *names = failure ? xstrdup("") : json_keys_text(point, NULL);
+            *error = xasprintf("%s: %s%s: %s%s%s", m->at, m->name, failure ? " failed" : "", reason,
+                               failure ? "" : "; it has: ", names);
+            free(names);
             return false;
         }
         add_failed(f, v->at, m->name, reason);
@@ -139,14 +143,13 @@ static bool run(struct fit *f, const double position[], const char *at)
     return good;
 }
 
-/* "send 40  interrupt 89.4427"; malloc'd. */
+/* "send 40.0000  interrupt 89.4427": the numbers that fit_text gives, with noughts; malloc'd. */
 static char *values_at(const struct fit *f, const double position[])
 {
     char *values = xstrdup("");
     for (size_t i = 0; i < f->parameters; i++) {
-        char text[32];
-        fit_text(&f->parameter[i], position[i], text);
-        words_append(&values, "%s%s %s", i ? "  " : "", f->parameter[i].name, text);
+        words_append(&values, "%s%s %#.6g", i ? "  " : "", f->parameter[i].name,
+                     fit_value(&f->parameter[i], position[i]));
     }
     return values;
 }
@@ -158,7 +161,7 @@ static void tell(const struct fit *f, const char *at, double rms)
     if (isnan(rms))
         fputs("a run failed", to);
     else
-        fprintf(to, "%s %.6g", f->by_rounding ? "rms" : "rms, percent", rms);
+        fprintf(to, "%s %9.4f", f->by_rounding ? "rms" : "rms, percent", rms);
     fprintf(to, "  %s\n", at);
 }
 

@@ -32,10 +32,15 @@ static int32_t message_of(const struct trace *t, const struct path_step *s)
     return c->sent != TRACE_NONE ? c->sent : c->taken;
 }
 
+/* Has the step a call before or behind it? No call follows at a program's end. */
+static bool is_beside_call(const struct path_step *s)
+{
+    return s->stack != TRACE_NONE || s->before != TRACE_NONE;
+}
+
 const char *why_function(struct why *w, const struct path_step *s)
 {
-    bool known = s->stack != TRACE_NONE || s->before != TRACE_NONE; /* no call follows at a program's end */
-    bool computes = known && s->call == TRACE_NONE && !s->enters_handler;
+    bool computes = is_beside_call(s) && s->call == TRACE_NONE && !s->enters_handler;
     return computes ? places_worker(w->places, s->before, s->seen, s->stack)
                     : places_function(w->places, s->stack);
 }
@@ -46,7 +51,11 @@ static const char *function_of(struct why *w, const struct path_step *s)
     bool program = s->class == WHY_COMPUTING || s->class == WHY_CALLS || s->class == WHY_HANDLERS ||
                    s->class == WHY_FILES;
     const char *name = program ? why_function(w, s) : "";
-    return *name ? name : program ? "(not known)" : "(not in the program)";
+    if (!program)
+        return "(not in the program)";
+    if (!is_beside_call(s))
+        return "main or others"; /* a program without a call of NX's: no stack says more */
+    return *name ? name : "(not known)";
 }
 
 /* The call whose time the step is; NULL: of none. */

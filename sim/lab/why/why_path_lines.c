@@ -47,7 +47,7 @@ static void say_place(struct why *w, const struct path_step *s, FILE *f)
 
 static void line(struct why *w, const struct path_step *s, FILE *f)
 {
-    fprintf(f, "%18.12f %18.12f %16.12f  %-10s %-26s", vt_seconds(s->begin), vt_seconds(s->end),
+    fprintf(f, "%18.12f %18.12f %16.12f  %-10s %-27s", vt_seconds(s->begin), vt_seconds(s->end),
             vt_seconds(s->end - s->begin), why_node_name(w, s->node), why_class_name(s->class));
     if (s->message != TRACE_NONE)
         say_message(w, s->message, f);

@@ -5,8 +5,8 @@
 #include <string.h>
 #include "files/ink.h"
 #include "files/number.h"
-#include "files/virtual_time.h"
 #include "kernel/xalloc.h"
+#include "lab/jobs/words.h"
 #include "lab/why/path_shares.h"
 #include "lab/why/why_sentences.h"
 #include "lab/why/why_unit.h"
@@ -233,30 +233,35 @@ static enum why_class grown(const struct why *w, const struct why *than)
     return (enum why_class)most;
 }
 
-/* How the other run differs, in a sentence. */
-static void say_difference(struct why *w, struct why *than, FILE *f)
+/* How the other run differs, in a sentence, in the unit of the table below it. */
+static void say_difference(struct why *w, struct why *than, struct why_unit u, FILE *f)
 {
-    double longer = seconds_more(w->length, than->length);
     enum why_class most = grown(w, than);
-    double more_of_it = seconds_more(w->by_class[most], than->by_class[most]);
-    char *text = xasprintf("The run of %s, on %" PRId32 " node%s, took %s. This one took %s %s.",
-                           than->t->path, than->t->node_count, than->t->node_count == 1 ? "" : "s",
-                           duration_text(vt_seconds(than->length)).text,
-                           duration_text(longer < 0 ? -longer : longer).text, longer < 0 ? "less" : "more");
-    char *grew = xasprintf("%s On the critical path, %s grew most: by %s, from %s to %s.", text,
-                           why_class_subject(most), duration_text(more_of_it).text,
-                           duration_text(vt_seconds(than->by_class[most])).text,
-                           duration_text(vt_seconds(w->by_class[most])).text);
-    paragraph(longer > 0 && more_of_it > 0 ? grew : text, f);
+    vtime grown_to = w->by_class[most], grown_from = than->by_class[most];
+    bool longer = w->length > than->length;
+    char *text =
+        xasprintf("The run of %s, on %" PRId32 " node%s, took %s. This one took ", than->t->path,
+                  than->t->node_count, than->t->node_count == 1 ? "" : "s", why_time(u, than->length).text);
+    if (w->length == than->length)
+        words_append(&text, "as long.");
+    else
+        words_append(&text, "%s %s.",
+                     why_time(u, longer ? w->length - than->length : than->length - w->length).text,
+                     longer ? "more" : "less");
+    if (longer && grown_to > grown_from)
+        words_append(&text, " On the critical path, %s grew most: by %s, from %s to %s.",
+                     why_class_subject(most), why_time(u, grown_to - grown_from).text,
+                     why_time(u, grown_from).text, why_time(u, grown_to).text);
+    paragraph(text, f);
     free(text);
-    free(grew);
 }
 
 static void compare_row(struct why_unit u, const char *name, vtime this_run, vtime other, FILE *f)
 {
     bool more = this_run >= other;
-    char *difference =
-        xasprintf("%c%s", more ? '+' : '-', why_number(u, more ? this_run - other : other - this_run).text);
+    struct why_text by = why_number(u, more ? this_run - other : other - this_run);
+    bool none = !strcmp(by.text, why_number(u, 0).text);
+    char *difference = xasprintf("%s%s", none ? "" : more ? "+" : "-", by.text);
     fprintf(f, "  %-28s %14s %14s %14s\n", name, why_number(u, this_run).text, why_number(u, other).text,
             difference);
     free(difference);
@@ -265,8 +270,8 @@ static void compare_row(struct why_unit u, const char *name, vtime this_run, vti
 /* The other run's path beside this one's. */
 static void compare(struct why *w, struct why *than, FILE *f)
 {
-    say_difference(w, than, f);
     struct why_unit u = why_unit_for(w->length > than->length ? w->length : than->length);
+    say_difference(w, than, u, f);
     struct ink ink = ink_for(f);
     char *title = xasprintf("Critical path, %s", u.name);
     fprintf(f, "%s%-30s %14s %14s %14s%s\n", ink.bold, title, "this run", "the other", "more", ink.off);

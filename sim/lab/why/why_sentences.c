@@ -353,6 +353,10 @@ static void waiting(struct why *w, FILE *f)
     bool one = one_decides(w, &node, &part);
     int32_t but = one ? node : TRACE_NONE, partner = awaited(w, but, &for_one);
     vtime all = time_of_others(w, but, &idle);
+    if (!w->causes.idle) {
+        fputs("No node waited.", f);
+        return;
+    }
     if (!worth_a_word(idle, all)) {
         fprintf(f, "The %snodes hardly waited: %s of their time.", one ? "other " : "",
                 why_percent(idle, all).text);

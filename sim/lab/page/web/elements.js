@@ -83,7 +83,8 @@ function onWidth(e, draw) {
             draw(width = e.clientWidth);
     };
     follow();
-    new ResizeObserver(follow).observe(e);
+    /* Drawing within the observer's own call would be an error in the console. */
+    new ResizeObserver(() => requestAnimationFrame(follow)).observe(e);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => width && draw(width));
 }
 

@@ -32,19 +32,18 @@ function inUnit(time, unit) {
 /* A moment: in seconds. */
 function moment(time) { return inUnit(time, 's'); }
 
-/* A duration: in the unit that leaves something before the point. */
-function duration(time) {
-    if (time < 0n)
-        return '-' + duration(-time);
-    for (const unit of ['s', 'ms', 'us', 'ns'])
-        if (time >= PICOSECONDS[unit])
-            return inUnit(time, unit);
-    return inUnit(time, 'ps');
+/* The unit that leaves something before the point; of no time, seconds. */
+function durationUnit(time) {
+    return time ? ['s', 'ms', 'us', 'ns', 'ps'].find(unit => time >= PICOSECONDS[unit]) : 's';
 }
+
+function duration(time) { return time < 0n ? '-' + duration(-time) : inUnit(time, durationUnit(time)); }
 
 /* A duration that is not exact, to four figures: for axes and shares. Digits and units are those of the
  * texts that touchstone prints (files/virtual_time.c): what is less than a unit after rounding has the next. */
 function roughly(picoseconds) {
+    if (!picoseconds)
+        return '0\u00a0s';
     for (const unit of ['s', 'ms', 'us', 'ns']) {
         const value = picoseconds / Number(PICOSECONDS[unit]), size = Math.abs(value);
         if (size >= 0.99995)
@@ -66,9 +65,13 @@ function parseTime(text) {
 /* A text that parseTime reads, with as many digits as tell moments apart on a screen that shows so long a
  * span. */
 function shortTime(time, span) {
-    const decimals = Math.min(12, Math.max(0, 16 - Math.floor(Math.log10(span))));
-    return `${Number((Number(time) / 1e12).toFixed(decimals))} s`;
+    const unit = durationUnit(time), one = Number(PICOSECONDS[unit]);
+    const decimals = Math.min(12, Math.max(0, 4 + Math.floor(Math.log10(one)) - Math.floor(Math.log10(span))));
+    return `${Number((Number(time) / one).toFixed(decimals))} ${UNIT_TEXT[unit]}`;
 }
+
+/* A number of seconds as a time. */
+function picoseconds(value) { return BigInt(Math.round(value * 1e12)); }
 
 /* Seconds as a file of results has them, all digits. */
 function seconds(value) {

@@ -2,7 +2,7 @@
  * asked. */
 
 /* columns: [ { name, text, get(row), show(value) } ]; text: true for texts. Numbers without show() have equal
- * decimals in a column, and picoseconds, which are BigInts, are shown in seconds. */
+ * decimals in a column, and picoseconds, which are BigInts, the unit of the column's longest time. */
 function figureTable(label, columns, rows, most = 200) {
     columns = columns.map(c => (c.text || c.show ? c : {...c, show: showAlike(rows.map(c.get))}));
     const body = element('tbody');
@@ -29,10 +29,12 @@ function figureTable(label, columns, rows, most = 200) {
 
 /* How to show each of the values. */
 function showAlike(values) {
-    const number = v => (typeof v === 'bigint' ? Number(v) / 1e12 : v);
+    const unit = durationUnit(values.reduce((m, v) => (typeof v === 'bigint' && v > m ? v : m), 0n));
+    const number = v => (typeof v === 'bigint' ? Number(v) / Number(PICOSECONDS[unit]) : v);
     const parts = values.map(number).filter(v => typeof v === 'number' && !Number.isInteger(v));
     const decimals = decimalsFor(parts.length ? values.map(number).filter(v => typeof v === 'number') : []);
-    return v => (typeof v === 'bigint' ? rounded(`${fixed(number(v), decimals)}\u00a0s`, moment(v))
+    const timeText = v => rounded(`${fixed(number(v), decimals)}\u00a0${UNIT_TEXT[unit]}`, inUnit(v, unit));
+    return v => (typeof v === 'bigint'   ? timeText(v)
                  : typeof v !== 'number' ? figure(v)
                  : parts.length          ? rounded(fixed(v, decimals), String(v))
                                          : grouped(String(v)));

@@ -86,8 +86,11 @@ function waitParts(waits) {
     const causes = Object.entries(waits.by_cause_ps).map(([cause, time_ps]) => ({cause, time_ps}));
     const some = causes.filter(r => BigInt(r.time_ps) > 0n)
                      .sort((a, b) => Number(BigInt(b.time_ps) - BigInt(a.time_ps)));
+    const head = element('h3', {}, 'What all nodes waited for');
+    if (!some.length)
+        return [head, element('p', {}, 'No node waited.')];
     return [
-        element('h3', {}, 'What all nodes waited for'),
+        head,
         ...figureTable('Waits by cause',
             [
                 {name: 'Cause', text: true, get: r => r.cause, show: causeText},

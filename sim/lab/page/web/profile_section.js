@@ -19,7 +19,7 @@ function profileSection(data, name) {
         ...figureTable('Functions',
             [
                 {name: 'Function', text: true, get: f => f.function},
-                {name: 'computing, s', get: f => f.seconds}, {
+                {name: 'computing', get: f => picoseconds(f.seconds)}, {
                     name: 'share of the nodes\' time',
                     get: f => f.share,
                     show: v => `${(v * 100).toFixed(2)} %`
@@ -41,7 +41,7 @@ function shareBar(value, most) {
 }
 
 function profileClass(kind, times) {
-    const all = times.node_time_s, share = v => `${figure(v)} s, ${(all ? v / all * 100 : 0).toFixed(2)} %`;
+    const all = times.node_time_s, share = v => `${roughly(v * 1e12)}, ${(all ? v / all * 100 : 0).toFixed(2)} %`;
     const tasks = Object.entries(times.tasks).map(([k, v]) => [k.replace(/_s$/, ''), share(v)]);
     return [
         element(
@@ -54,7 +54,7 @@ function profileClass(kind, times) {
             () => [facts(tasks),
                 ...figureTable('Waits',
                     [
-                        {name: 'Call', text: true, get: w => w.call}, {name: 'idle, s', get: w => w.idle_s},
+                        {name: 'Call', text: true, get: w => w.call}, {name: 'idle', get: w => picoseconds(w.idle_s)},
                         {name: 'waits', get: w => w.waits}
                     ],
                     times.waits)])
