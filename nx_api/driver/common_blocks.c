@@ -37,20 +37,17 @@ static int compare(const void *left, const void *right)
     return order ? order : (a->place > b->place) - (a->place < b->place);
 }
 
-static size_t read_blocks(char *lines, struct block **list)
+static struct block *read_blocks(const struct elf_file *f, size_t *count)
 {
-    size_t count = 0;
-    for (char *line; (line = strsep(&lines, "\n"));) {
-        if (!*line)
-            continue;
-        *list = reallocarray(*list, count + 1, sizeof **list);
-        if (!*list)
-            fail("out of memory");
-        (*list)[count++] = block_of(line);
-    }
-    if (count)
-        qsort(*list, count, sizeof **list, compare);
-    return count;
+    char **lines = elf_lines(f, ".nxc_commons", count);
+    struct block *list = calloc(*count + 1, sizeof *list);
+    if (!list)
+        fail("out of memory");
+    for (size_t i = 0; i < *count; i++)
+        list[i] = block_of(lines[i]);
+    qsort(list, *count, sizeof *list, compare);
+    free(lines);
+    return list;
 }
 
 /* Does one of the blocks before the k-th have its size? */
@@ -91,13 +88,9 @@ static void report(const struct block *list, size_t count)
 
 void common_blocks_check(const char *program)
 {
-    struct block *list = NULL;
     struct elf_file f = elf_read(program);
-    size_t size;
-    char *lines = elf_section(&f, ".nxc_commons", &size);
-    if (lines)
-        lines[size - 1] = '\0';
-    size_t count = read_blocks(lines, &list);
+    size_t count;
+    struct block *list = read_blocks(&f, &count);
     for (size_t i = 0, same; i < count; i += same) {
         for (same = 1; i + same < count && !strcmp(list[i + same].name, list[i].name);)
             same++;

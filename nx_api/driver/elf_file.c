@@ -45,3 +45,21 @@ char *elf_section(const struct elf_file *f, const char *name, size_t *size)
         }
     return NULL;
 }
+
+char **elf_lines(const struct elf_file *f, const char *section, size_t *count)
+{
+    size_t size;
+    char **lines = NULL, *text = elf_section(f, section, &size);
+    *count = 0;
+    if (text)
+        text[size - 1] = '\0';
+    for (char *line; (line = strsep(&text, "\n"));) {
+        if (!*line)
+            continue;
+        lines = reallocarray(lines, *count + 1, sizeof *lines);
+        if (!lines)
+            fail("out of memory");
+        lines[(*count)++] = line;
+    }
+    return lines;
+}

@@ -12,5 +12,7 @@ struct elf_file elf_read(const char *path);
 void elf_forget(struct elf_file *f);
 /* A section's bytes, and how many; NULL: it is not there, or empty. */
 char *elf_section(const struct elf_file *f, const char *name, size_t *size);
+/* A section's lines, and how many, but for empty ones: an array to be freed, of lines in the file. */
+char **elf_lines(const struct elf_file *f, const char *section, size_t *count);
 
 #endif

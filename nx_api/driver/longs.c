@@ -32,20 +32,17 @@ static int by_name(const void *a, const void *b)
     return strcmp(x->name, y->name);
 }
 
-static size_t read_records(char *lines, struct record **list)
+static struct record *read_records(const struct elf_file *f, size_t *count)
 {
-    size_t count = 0;
-    for (char *line; (line = strsep(&lines, "\n"));) {
-        if (!*line)
-            continue;
-        *list = reallocarray(*list, count + 1, sizeof **list);
-        if (!*list)
-            fail("out of memory");
-        (*list)[count++] = record_of(line);
-    }
-    if (count)
-        qsort(*list, count, sizeof **list, by_name);
-    return count;
+    char **lines = elf_lines(f, ".nxc_longs", count);
+    struct record *list = calloc(*count + 1, sizeof *list);
+    if (!list)
+        fail("out of memory");
+    for (size_t i = 0; i < *count; i++)
+        list[i] = record_of(lines[i]);
+    qsort(list, *count, sizeof *list, by_name);
+    free(lines);
+    return list;
 }
 
 /* --- clashes --- */
@@ -80,13 +77,9 @@ static void check_pair(const char *program, const struct record *wide, const str
 
 void longs_check(const char *program)
 {
-    struct record *list = NULL;
     struct elf_file f = elf_read(program);
-    size_t size;
-    char *lines = elf_section(&f, ".nxc_longs", &size);
-    if (lines)
-        lines[size - 1] = '\0';
-    size_t count = read_records(lines, &list);
+    size_t count;
+    struct record *list = read_records(&f, &count);
     for (size_t i = 0; i < count; i++) {
         check_library(program, &list[i]);
         for (size_t k = i; k-- > 0 && !strcmp(list[k].name, list[i].name);) {
