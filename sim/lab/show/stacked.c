@@ -98,6 +98,14 @@ void stacked_draw(const struct canvas *c, struct plot area, const struct state_t
         draw_under(c, area, s, row, nodes, a);
 }
 
+/* In a list: with one decimal each. */
+static char *entry_text(enum activity a, double share)
+{
+    bool little = share > 0 && share < 0.0005;
+    return little ? xasprintf("%s < 0.1 %%", activity_name(a))
+                  : xasprintf("%s %.1f %%", activity_name(a), 100 * share);
+}
+
 void stacked_legend(const struct canvas *c, double x, double y, const struct state_times *s, double nodes,
                     enum activity activities)
 {
@@ -111,10 +119,7 @@ void stacked_legend(const struct canvas *c, double x, double y, const struct sta
     for (enum activity a = 0; a <= ACTIVITIES; a++) {
         if ((a >= activities && a < ACTIVITIES) || (a == ACTIVITIES && sums[a] <= SEEN * all))
             continue;
-        char *percent = axis_percent_text(sums[a] / all);
-        list[count++] =
-            (struct legend_entry){palette_activity(a), xasprintf("%s %s", activity_name(a), percent), false};
-        free(percent);
+        list[count++] = (struct legend_entry){palette_activity(a), entry_text(a, sums[a] / all), false};
     }
     if (count > ACTIVITIES)
         x = HEAD_LEFT; /* all of them are too long for the plot's width */
