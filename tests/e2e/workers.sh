@@ -26,11 +26,11 @@ same() { # NAME ARGS...
 }
 
 # ThreadSanitizer's reports of data races would be among the errors. It cannot run programs that leave their stack by a
-# fault.
+# fault, and has nodes at addresses with fewer digits, which calls_under_way writes as text.
 under_tsan() { # NAME ARGS...
     local name=$1 touchstone=$BUILD/tsan/touchstone
     shift
-    case $name in *crash*) return ;; esac
+    case $name in *crash* | calls_under_way*) return ;; esac
     if [ -x "$touchstone" ]; then
         run_results -w 3 --shuffle 4 "$@" >several
         check "$name: no data races, and the same" diff one several

@@ -49,7 +49,8 @@ struct fake {
 
 static void begin(struct fake *f)
 {
-    *f = (struct fake){.cfg = CFG, .sys = {.cfg = &f->cfg, .nodes = f->nodes, .count = NODES}};
+    *f = (struct fake){
+        .cfg = CFG, .sys = {.cfg = &f->cfg, .nodes = f->nodes, .count = NODES, .most_unreceived = 1 << 20}};
     f->sys.schedule = (struct schedule){.q = evq_new(), .max_time = VT_NEVER};
     assert_true(topo_hypercube(&f->sys.topo, NODES, 1));
     f->sys.schedule.protocol = protocol_new(&f->cfg, &f->sys.topo, f->sys.schedule.q, &f->sys);
