@@ -78,7 +78,7 @@ int main(void)
 END
 "$BUILD/nxcc" -O0 -g --asan -fno-optimize-sibling-calls -o deep deep.c
 run -q -n 2 deep
-check "the program's own calls, a recursion in one line" diff - <(sed -n '/^    in/,$p' err) <<'END'
+check "the program's own calls, a recursion in one line" diff - <(sed -n '/^    in/,/^  to do/p' err) <<'END'
     in descend (deep.c:7)
     called from descend (deep.c:6), 4 times
     called from main (deep.c:13)
