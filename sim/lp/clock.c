@@ -118,10 +118,11 @@ static vtime clock_at(const struct lp *lp, uint64_t units)
     return lp->clock.now + clock_of_units(lp, units) - clock_of_units(lp, lp->clock.units);
 }
 
-vtime clock_in_loop_since(const struct lp *lp)
+vtime clock_time_in_loop(const struct lp *lp)
 {
     const struct lp_place *place = last_place(lp);
-    return place && place->same >= LP_LOOP ? clock_at(lp, place->since) : VT_NEVER;
+    bool loops = place && place->same >= LP_LOOP;
+    return loops ? clock_of_units(lp, lp->clock.units) - clock_of_units(lp, place->since) : 0;
 }
 
 vtime clock_when(const struct lp *lp, uint64_t units)

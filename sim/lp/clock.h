@@ -110,9 +110,9 @@ void clock_take_lookahead(struct lp *lp);
 /* Where the program, which only computes, was at the last slice boundary before now; 0: none since it got
  * control, or too many since then. */
 uintptr_t clock_last_place(const struct lp *lp);
-/* Since when, at least, the program, which only computes, has been in one loop: at each slice boundary,
- * LP_LOOP of them or more, the poll was the same. VT_NEVER: it is not known to be in one. */
-vtime clock_in_loop_since(const struct lp *lp);
+/* How long, at least, the program, which only computes, has computed in one loop: at each slice boundary,
+ * LP_LOOP of them or more, the poll was the same. 0: it is not known to be in one. */
+vtime clock_time_in_loop(const struct lp *lp);
 /* The program makes no call, and comes to no slice boundary, before this time, which is not before its
  * clock's. */
 vtime clock_lookahead(const struct lp *lp);

@@ -77,14 +77,16 @@ static const char *line_of(const struct node *n, struct backtrace_lines *lines)
 }
 
 /* Since when a node's program has been in one loop without a call, at least; VT_NEVER: not for a tenth of its
- * time. (Else a loop that is just under way would be named in each report of a program that computes.) */
+ * time. (Else a loop that is just under way would be named in each report of a program that computes.) System
+ * time within the loop is left out: the engines learn of it at different times. */
 static vtime in_loop_since(const struct node *n)
 {
-    const enum stop stop = n->sys->schedule.stop;
-    if (stop != STOP_VIRTUAL_TIME && !is_from_outside(stop))
+    const struct schedule *s = &n->sys->schedule;
+    if (s->stop != STOP_VIRTUAL_TIME && !is_from_outside(s->stop))
         return VT_NEVER;
-    vtime since = clock_in_loop_since(&n->lp), now = n->lp.clock.now;
-    return since != VT_NEVER && now - since >= now / LEAST_LOOP ? since : VT_NEVER;
+    vtime time = clock_time_in_loop(&n->lp);
+    vtime now = s->stop == STOP_VIRTUAL_TIME ? s->stop_at.time : n->lp.clock.now;
+    return time && time >= now / LEAST_LOOP ? now - time : VT_NEVER;
 }
 
 static struct where where_is(const struct node *n, struct backtrace_lines *lines)

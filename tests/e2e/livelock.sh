@@ -139,6 +139,28 @@ check "with volatile it ends" ended_with 0
 check "a loop that is just under way is not named" eval 'said "node 0: computing" && ! said loop'
 
 # --- both engines, and any number of workers, tell the same ---
+# (Messages take the processor from the loop.)
+cat >stolen.c <<'E'
+#include <nx.h>
+int main(void)
+{
+    static char bytes[4000];
+    for (int i = 1; mynode() == 1 && i <= 5; i++) {
+        for (volatile int k = 0; k < 1000 * i; k++)
+            ;
+        csend(5, bytes, sizeof bytes, 0, 0);
+    }
+    for (volatile int done = 0; mynode() == 0 && !done;)
+        ;
+    return 0;
+}
+E
+"$BUILD/nxcc" -O2 -g -o stolen stolen.c
+for time in 0.004 0.0123456789 0.05; do
+    run_results --engine reference -n 2 --max-virtual-time $time stolen >reference
+    check "a loop, $time s: it is named" grep -q 'in one loop' reference
+    check "a loop, $time s: as the reference engine" cmp reference <(run_results -w 2 -n 2 --max-virtual-time $time stolen)
+done
 for what in iprobe two msgdone flick; do
     for time in 0.02 0.1 0.100003 0.0123456789 0.0345678901; do
         how="-n 5 --max-virtual-time $time livelock $what"
