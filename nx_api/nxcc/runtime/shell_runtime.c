@@ -9,7 +9,7 @@
 #include <asm/unistd.h>
 #include <linux/limits.h>
 #include <stdbool.h>
-#pragma GCC optimize("no-tree-loop-distribute-patterns") /* makes no calls of strlen or memcpy out of loops */
+#pragma GCC optimize("Os", "no-tree-loop-distribute-patterns") /* small; and no calls of strlen out of loops */
 
 enum { STDERR = 2, EXECUTABLE = 1 /* X_OK */, NOT_RUN = 126 /* a shell's status for what cannot be run */ };
 
