@@ -9,7 +9,8 @@
 #include <asm/unistd.h>
 #include <linux/limits.h>
 #include <stdbool.h>
-#pragma GCC optimize("Os", "no-tree-loop-distribute-patterns") /* small; and no calls of strlen out of loops */
+/* It is small, and no loop becomes a call of strlen. */
+#pragma GCC optimize("Os", "no-tree-loop-distribute-patterns")
 
 enum { STDERR = 2, EXECUTABLE = 1 /* X_OK */, NOT_RUN = 126 /* a shell's status for what cannot be run */ };
 
