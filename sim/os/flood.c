@@ -9,7 +9,7 @@
 #include "os/first_failure.h"
 
 enum { TIMES_MEMORY = 4 };
-#define MOST ((size_t)1 << 30)
+#define MOST ((size_t)4 << 30)
 
 size_t flood_limit(size_t said, size_t memory)
 {

@@ -8,7 +8,7 @@
 enum { FLOOD_EACH = 128 };
 
 /* Bytes that messages may fill in a node, by what the user has said (0: nothing) and the node's memory: 4
- * times as many as it has, 1 GB at most. */
+ * times as many as it has, 4 GB at most. */
 size_t flood_limit(size_t said, size_t memory);
 /* m has come to n, where it waits: ends the run if too much does. */
 void flood_check(struct node *n, const struct message *m);
