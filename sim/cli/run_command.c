@@ -94,7 +94,7 @@ static const struct argp_option OPTIONS[] = {
      "Add to the summary what the simulator's threads did, and where the program was found", 0},
     {"max-unreceived", UNRECEIVED, "MB", 0,
      "Stop when messages that no receive takes fill so much of a node; default 4 times its memory, at most "
-     "1024",
+     "4096",
      3},
     {NULL, 0, NULL, 0, "Debugger (gdb --args touchstone run ... works, too):", 5},
     {"gdb", GDB, "NODE", 0, "Start gdb, and stop at the beginning of main on NODE, a number or 'host'", 0},
