@@ -81,7 +81,7 @@ struct basic {
     uint8_t bytes, class; /* PAIR: a value and an int behind it, in so many bytes */
     uint8_t value;        /* PAIR: bytes of the value */
 };
-/* Those with names, and behind them those that type_kinds.c makes. */
+/* Datatypes of MPI's own: those with names, and behind them those that type_kinds.c makes. */
 enum { FIRST_BASIC = 0x200, NAMED = 0xf2, MOST_KINDS = 128, BASICS = NAMED + MOST_KINDS };
 
 /* --- requests --- */

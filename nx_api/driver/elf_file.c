@@ -1,6 +1,5 @@
 /* elf_file.c - see elf_file.h. The linker has just written the file, and well: not everything is checked. */
 #include "nx_api/driver/elf_file.h"
-#include <elf.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -44,6 +43,15 @@ char *elf_section(const struct elf_file *f, const char *name, size_t *size)
             return f->bytes + sections[i].sh_offset;
         }
     return NULL;
+}
+
+struct elf_dynamic elf_dynamic_of(const struct elf_file *f)
+{
+    size_t bytes = 0, names = 0;
+    struct elf_dynamic d = {.symbols = (const Elf64_Sym *)elf_section(f, ".dynsym", &bytes),
+                            .names = elf_section(f, ".dynstr", &names)};
+    d.count = d.symbols && d.names ? bytes / sizeof *d.symbols : 0;
+    return d;
 }
 
 char **elf_lines(const struct elf_file *f, const char *section, size_t *count)

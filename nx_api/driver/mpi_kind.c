@@ -1,7 +1,6 @@
 /* mpi_kind.c - see mpi_kind.h. Binaries are of few kinds: Open MPI's, and MPICH's, which Intel MPI and
  * MVAPICH share. */
 #include "nx_api/driver/mpi_kind.h"
-#include <elf.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -90,51 +89,45 @@ const char *mpi_folder(const struct places *p)
 /* --- names --- */
 
 /* Is a name of a library in a linked program? Those of its own are not in this table (names.map). */
-static bool asks_for(const Elf64_Sym *symbols, size_t count, const char *names, const char *name)
+static bool asks_for(const struct elf_dynamic *d, const char *name)
 {
-    for (size_t i = 0; i < count; i++)
-        if (!strcmp(names + symbols[i].st_name, name))
+    for (size_t i = 0; i < d->count; i++)
+        if (!strcmp(d->names + d->symbols[i].st_name, name))
             return true;
     return false;
 }
 
 /* "PMPI_Isend, PMPI_Test": those of a file's names that the program does not ask for; NULL: there are none,
  * or it asks for none at all, since its MPI has been linked into it. */
-static char *not_asked_for(const struct elf_file *program, FILE *f)
+static char *not_asked_for(const struct elf_dynamic *d, FILE *f)
 {
-    size_t size, names_size, asked = 0;
-    const char *symbols = elf_section(program, ".dynsym", &size);
-    const char *names = elf_section(program, ".dynstr", &names_size);
+    bool asked = false;
     char name[100], *missing = NULL;
-    while (symbols && names && fscanf(f, "%99s", name) == 1) {
-        if (asks_for((const Elf64_Sym *)symbols, size / sizeof(Elf64_Sym), names, name))
-            asked++;
+    while (fscanf(f, "%99s", name) == 1) {
+        if (asks_for(d, name))
+            asked = true;
         else
-            missing = missing ? text("%s, %s", missing, name) : text("%s", name);
+            text_list(&missing, name);
     }
     return asked ? missing : NULL;
 }
 
 /* The call by which a program begins MPI, without asking whether MPI has begun; NULL: there is none. */
-static const char *begins_mpi(const struct elf_file *program)
+static const char *begins_mpi(const struct elf_dynamic *d)
 {
     static const char *const begins[][2] = {{"MPI_Init", "MPI_Initialized"},
                                             {"MPI_Init_thread", "MPI_Initialized"},
                                             {"mpi_init_", "mpi_initialized_"},
                                             {"mpi_init_thread_", "mpi_initialized_"}};
-    size_t size, names_size;
-    const Elf64_Sym *symbols = (const Elf64_Sym *)elf_section(program, ".dynsym", &size);
-    const char *names = elf_section(program, ".dynstr", &names_size);
-    for (size_t i = 0; symbols && names && i < sizeof begins / sizeof *begins; i++)
-        if (asks_for(symbols, size / sizeof *symbols, names, begins[i][0]) &&
-            !asks_for(symbols, size / sizeof *symbols, names, begins[i][1]))
+    for (size_t i = 0; i < sizeof begins / sizeof *begins; i++)
+        if (asks_for(d, begins[i][0]) && !asks_for(d, begins[i][1]))
             return begins[i][0];
     return NULL;
 }
 
-static void warn_of_beginning(const struct elf_file *program)
+static void warn_of_beginning(const struct elf_dynamic *d)
 {
-    const char *call = begins_mpi(program);
+    const char *call = begins_mpi(d);
     if (call)
         fprintf(
             stderr,
@@ -150,8 +143,9 @@ void mpi_check_names(const struct places *p, const char *program)
     if (!f)
         fail("%s/theirs is missing: is the installation complete?", mpi_folder(p));
     struct elf_file e = elf_read(program);
-    char *missing = not_asked_for(&e, f);
-    warn_of_beginning(&e);
+    const struct elf_dynamic d = elf_dynamic_of(&e);
+    char *missing = not_asked_for(&d, f);
+    warn_of_beginning(&d);
     fclose(f);
     elf_forget(&e);
     if (!missing)

@@ -1,6 +1,5 @@
 /* shared_names.c - see shared_names.h. */
 #include "nx_api/driver/shared_names.h"
-#include <elf.h>
 #include <errno.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -10,23 +9,7 @@
 #include "nx_api/driver/elf_file.h"
 #include "nx_api/driver/text.h"
 
-struct dynamic {
-    const Elf64_Sym *symbols;
-    size_t count;
-    const char *names;
-};
-
-/* None, if the file is none of ELF. */
-static struct dynamic dynamic_of(const struct elf_file *f)
-{
-    size_t bytes = 0, names = 0;
-    struct dynamic d = {.symbols = (const Elf64_Sym *)elf_section(f, ".dynsym", &bytes),
-                        .names = elf_section(f, ".dynstr", &names)};
-    d.count = d.symbols && d.names ? bytes / sizeof *d.symbols : 0;
-    return d;
-}
-
-static bool has(const struct dynamic *d, const char *name)
+static bool has(const struct elf_dynamic *d, const char *name)
 {
     for (size_t i = 1; i < d->count; i++)
         if (d->symbols[i].st_shndx != SHN_UNDEF && !strcmp(d->names + d->symbols[i].st_name, name))
@@ -34,24 +17,16 @@ static bool has(const struct dynamic *d, const char *name)
     return false;
 }
 
-/* Appends a word to a list for people. */
-static void list(char **all, const char *word)
-{
-    char *longer = *all ? text("%s, %s", *all, word) : text("%s", word);
-    free(*all);
-    *all = longer;
-}
-
 /* The names that the program has from neither its files nor `offered`; NULL: there are none. */
 static char *foreign_names(const struct elf_file *program, const struct elf_file *offered)
 {
-    struct dynamic d = dynamic_of(program), o = dynamic_of(offered);
+    struct elf_dynamic d = elf_dynamic_of(program), o = elf_dynamic_of(offered);
     char *all = NULL;
     for (size_t i = 1; i < d.count; i++) {
         const char *name = d.names + d.symbols[i].st_name;
         bool wanted = d.symbols[i].st_shndx == SHN_UNDEF && ELF64_ST_BIND(d.symbols[i].st_info) != STB_WEAK;
         if (wanted && !has(&o, name))
-            list(&all, name);
+            text_list(&all, name);
     }
     return all;
 }
@@ -65,7 +40,7 @@ static char *foreign_libraries(const struct elf_file *program, const char *offer
     char *all = NULL;
     for (size_t i = 0; entry && name && i < bytes / sizeof *entry; i++)
         if (entry[i].d_tag == DT_NEEDED && strcmp(name + entry[i].d_un.d_val, slash ? slash + 1 : offered))
-            list(&all, name + entry[i].d_un.d_val);
+            text_list(&all, name + entry[i].d_un.d_val);
     return all;
 }
 

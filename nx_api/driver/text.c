@@ -36,3 +36,10 @@ _Noreturn void fail_to_run(const char *program)
              program);
     fail("%s: %s", program, strerror(errno));
 }
+
+void text_list(char **list, const char *word)
+{
+    char *longer = *list ? text("%s, %s", *list, word) : text("%s", word);
+    free(*list);
+    *list = longer;
+}

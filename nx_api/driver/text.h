@@ -9,5 +9,7 @@ __attribute__((format(printf, 1, 2), noreturn)) void fail(const char *format, ..
 _Noreturn void fail_to_run(const char *program);
 /* For free(). */
 __attribute__((format(printf, 1, 2))) char *text(const char *format, ...);
+/* Appends a word to a list for people: "PMPI_Isend, PMPI_Test". *list is NULL at first; for free(). */
+void text_list(char **list, const char *word);
 
 #endif

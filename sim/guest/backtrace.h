@@ -17,7 +17,8 @@ int backtrace_program_calls(const struct node *n, uintptr_t frame, void **return
 /* Prints calls by their addresses, the innermost first: a newline and "  HOW FUNCTION (FILE:LINE)" for the
  * first, then "  called from ..."; nothing for an address outside of the program. */
 void backtrace_print(FILE *f, const struct node *n, const char *how, const uintptr_t *addresses, int count);
-/* The same with another text for a call; false: it is to have none. A recursion is one line. */
+/* Prints calls in that way, a recursion in one line, but each call's text by `print`, which returns false for
+ * one that has none. */
 typedef bool backtrace_print_call(FILE *f, const struct node *n, const char *how, uintptr_t address);
 void backtrace_print_as(backtrace_print_call *print, FILE *f, const struct node *n, const char *how,
                         const uintptr_t *addresses, int count);

@@ -76,7 +76,7 @@ static void keep(struct livelock_note *own, const struct node *n, struct liveloc
         (struct before){n->call.since, at, *at, l->latest, l->rows};
 }
 
-/* What is deferred is undone: nothing has reached the node since, and no more than fits in the ring. */
+/* Undoes the notes of deferred polls: nothing has reached the node since, and the ring has them all. */
 static void hear_rolled_back(struct observer *o, struct node *n)
 {
     struct livelock_note *own = note_of(o);
@@ -138,7 +138,7 @@ static void hear_finds_nothing(struct observer *o, struct node *n, const struct 
     if (n->deferred.open)
         keep(note_of(o), n, p);
     l->latest = p;
-    if (!same || p->count == 0)
+    if (!same)
         begin_row(l, n, p, select, place);
     p->spent += time_of(n, p, select != NULL);
     p->latest = node_now(n);

@@ -9,7 +9,7 @@
 #include <asm/unistd.h>
 #include <linux/limits.h>
 #include <stdbool.h>
-/* It is small, and no loop becomes a call of strlen. */
+/* The code is small, and has no call of strlen instead of a loop. */
 #pragma GCC optimize("Os", "no-tree-loop-distribute-patterns")
 
 enum { STDERR = 2, EXECUTABLE = 1 /* X_OK */, NOT_RUN = 126 /* a shell's status for what cannot be run */ };

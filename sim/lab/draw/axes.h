@@ -7,7 +7,7 @@
 
 /* The step between ticks so that at most `most` of them divide the range: 1, 2 or 5 times a power of ten. */
 double axis_step(double range, int most);
-/* The same for things that are counted, such as nodes: 1 or more, unless the range is less than one. */
+/* The step for things that are counted, such as nodes: 1 or more, unless the range is less than one. */
 double axis_count_step(double range, int most);
 /* A round number, most or more: at which a scale may end. 1 if most is 0. */
 double axis_end(double most);

@@ -33,8 +33,9 @@ static void print_row(FILE *out, const struct ink *ink, const struct result_tabl
         return;
     }
     figure(out, 11, 3, outcome_figure(o, "total_s"));
-    fprintf(out, fabs(error) < 0.05 ? "%9g  %s%6.1f %%%s" : "%9g  %s%+6.1f %%%s", paper->total_s,
-            fabs(error) < 5 ? ink->green : ink->red, fabs(error) < 0.05 ? 0 : error, ink->off);
+    bool none = fabs(error) < 0.05; /* which has no sign */
+    fprintf(out, none ? "%9g  %s%6.1f %%%s" : "%9g  %s%+6.1f %%%s", paper->total_s,
+            fabs(error) < 5 ? ink->green : ink->red, none ? 0 : error, ink->off);
     pair(out, 1, outcome_figure(o, "host_idle_pct"), paper->host_idle_pct);
     figure(out, 7, 1, outcome_figure(o, "host_idle_all_pct"));
     pair(out, 1, outcome_figure(o, "slave_idle_pct"), paper->slave_idle_pct);

@@ -1,5 +1,5 @@
-/* signatures.c - rank 0 sends to rank 1, which receives as other kinds of numbers of the same length, or, with
- * the argument "well", as the same kinds by other datatypes. */
+/* signatures.c - rank 0 sends to rank 1, which receives as other kinds of numbers of the same length, or,
+ * with the argument "well", as the same kinds by other datatypes. */
 #include <mpi.h>
 #include <stddef.h>
 #include <string.h>

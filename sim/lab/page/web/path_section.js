@@ -38,7 +38,8 @@ function pathSection(data, name) {
     const length = BigInt(data.critical_path.length_ps), path = data.critical_path;
     const section = addSection(`Why ${baseName(data.program)} took ${roughly(Number(length))}`,
         'Why: ' + baseName(name),
-        `The critical path of ${data.trace}, on ${plural(data.nodes, 'node')} of ${data.machine} (${name}).`, name);
+        `The critical path of ${data.trace}, on ${plural(data.nodes, 'node')} of ${data.machine} (${name}).`,
+        name);
     section.append(...data.sentences.map(text => element('p', {class: 'prose'}, text)));
     section.append(element('h3', {}, 'The critical path by class'), ...classTable(path.by_class, length));
     for (const [key, title] of [['by_node', 'node'], ['by_function', 'function'], ['by_call', 'call'],

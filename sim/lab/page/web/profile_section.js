@@ -41,7 +41,8 @@ function shareBar(value, most) {
 }
 
 function profileClass(kind, times) {
-    const all = times.node_time_s, share = v => `${roughly(v * 1e12)}, ${(all ? v / all * 100 : 0).toFixed(2)} %`;
+    const all = times.node_time_s;
+    const share = v => `${roughly(v * 1e12)}, ${(all ? v / all * 100 : 0).toFixed(2)} %`;
     const tasks = Object.entries(times.tasks).map(([k, v]) => [k.replace(/_s$/, ''), share(v)]);
     return [
         element(
@@ -54,8 +55,8 @@ function profileClass(kind, times) {
             () => [facts(tasks),
                 ...figureTable('Waits',
                     [
-                        {name: 'Call', text: true, get: w => w.call}, {name: 'idle', get: w => picoseconds(w.idle_s)},
-                        {name: 'waits', get: w => w.waits}
+                        {name: 'Call', text: true, get: w => w.call},
+                        {name: 'idle', get: w => picoseconds(w.idle_s)}, {name: 'waits', get: w => w.waits}
                     ],
                     times.waits)])
     ];

@@ -24,7 +24,8 @@ function runSection(data, name) {
                            data.settings.length ? ', ' + data.settings.join(', ') : ''}`
         ],
         ['Messages', `${grouped(String(data.messages))}, ${plural(data.bytes, 'byte')}`],
-        ['Digest', data.digest], ['Simulated in', `${roughly(data.wall_time_s * 1e12)} of this computer's time`]
+        ['Digest', data.digest],
+        ['Simulated in', `${roughly(data.wall_time_s * 1e12)} of this computer's time`]
     ]));
     const nodes = [
         ...data.node.map((n, i) => ({...n, name: `node ${i}`})),

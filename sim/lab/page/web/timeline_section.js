@@ -5,7 +5,8 @@ function traceSections(trace, name) {
     const section = addSection(`Timeline of ${baseName(trace.program)} on ${trace.machine}`, 'Timeline: ' + baseName(name),
         `${trace.command} (${name}): ${plural(trace.rows.length, 'node')}, ${
             plural(trace.pieceCount,
-                'interval')}, ${plural(trace.messageCount, 'message')} in ${roughly(Number(trace.end))}.`, name);
+                'interval')}, ${plural(trace.messageCount, 'message')} in ${roughly(Number(trace.end))}.`,
+        name);
     if (!trace.rows.length) {
         section.append(element('p', {}, 'The trace has no node.'));
         return section;
