@@ -73,7 +73,7 @@ static double in_unit(double seconds, int i)
 struct time_text duration_text(double seconds)
 {
     struct time_text x;
-    int i = unit_for(seconds), decimals = seconds ? 3 : 0;
+    int i = unit_for(seconds), decimals = seconds != 0 ? 3 : 0;
     double value = in_unit(seconds, i);
     for (double limit = 9.9995; decimals > 0 && fabs(value) >= limit; limit *= 10)
         decimals--;
