@@ -435,7 +435,7 @@ static void on_stop(evutil_socket_t signal, short what, void *arg)
 {
     struct service *s = arg;
     (void)what;
-    note(s, "stopped by %s", strsignal((int)signal));
+    note(s, "stopped by SIG%s", sigabbrev_np((int)signal));
     event_base_loopbreak(s->base);
 }
 

@@ -52,6 +52,27 @@ check "--json -: JSON alone" jq -e '.format == "touchstone explore 1"' out
 explore of/clock -n 2 --runs 30 clock
 check "none is reduced" eval '! grep -q "delays that show it" out'
 
+# --- many orders: who came first, of five ---
+cat >first.c <<'END'
+#include <nx.h>
+#include <stdio.h>
+int main(void)
+{
+    long x = mynode();
+    if (x)
+        return csend(1, &x, sizeof x, 0, 0), 0;
+    for (int i = 1; i < 6; i++)
+        crecv(1, &x, sizeof x), printf("%ld\n", x);
+    return 0;
+}
+END
+build first.c first
+explore of/first -n 6 --ordered --runs 100 --tests 20 --json first.json first
+outcomes=$(figure first.json "len(d['outcomes'])")
+check "many orders: many outcomes" test "$outcomes" -gt 12
+check "eight are shown" test "$(grep -cE '^  [0-9]+\. ' out)" = 8
+check "the rest is counted" grep -qx "  and $((outcomes - 9)) more outcomes: --json FILE has all" out
+
 # --- ten programs ---
 grep -v '^#' "$programs/programs.txt" | while read -r source nodes depth bad _ good; do
     name=${source%.*}

@@ -191,16 +191,19 @@ static void print_warnings(const struct explore *x, FILE *out)
         fprintf(out, "  Time is up: not all runs were made.\n");
 }
 
-/* Of outcomes that differ in output only, of one order, the first is shown. */
+/* Of outcomes that differ in output only, of one order, the first is shown; of all others, those explained. */
 static void print_outcomes(const struct explore *x, FILE *out)
 {
-    size_t alike = 0;
+    size_t alike = 0, left = 0;
     for (size_t i = 1; i < x->search.outcome_count; i++) {
         bool same = x->search.outcomes[i].same_order;
         alike += same;
-        if (!same || alike == 1)
+        if (same ? alike == 1 : i <= x->options.explained)
             print_outcome(x, i, out);
+        left += !same && i > x->options.explained;
     }
+    if (left)
+        fprintf(out, "\n  and %zu more outcome%s: --json FILE has all\n", left, plural(left));
     if (alike > 1)
         fprintf(
             out,
