@@ -191,7 +191,7 @@ static void print_warnings(const struct explore *x, FILE *out)
         fprintf(out, "  Time is up: not all runs were made.\n");
 }
 
-/* Of outcomes that differ in output only, of one order, the first is shown; of all others, those explained. */
+/* Of outcomes that differ in output only, of one order, the first is shown; of others, those explained. */
 static void print_outcomes(const struct explore *x, FILE *out)
 {
     size_t alike = 0, left = 0;
