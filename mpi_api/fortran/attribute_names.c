@@ -51,7 +51,7 @@ FORTRAN(keyval_create, (f_copy * copy, f_delete *drop, f_int *key, f_int *extra,
 {
     struct f_key *k = get_memory(sizeof *k); /* as long as the key */
     *k = (struct f_key){copy, drop, extra};
-    IERR = MPI_Comm_create_keyval(call_copy, call_delete, key, k);
+    IERR = attribute_key((void *)call_copy, (void *)call_delete, key, k, true);
 }
 
 FORTRAN(keyval_free, (f_int * key, f_int *ierr))
@@ -59,33 +59,36 @@ FORTRAN(keyval_free, (f_int * key, f_int *ierr))
     IERR = MPI_Comm_free_keyval(key);
 }
 
-FORTRAN(attr_put, (f_int * comm, f_int *key, f_int *value, f_int *ierr))
+FORTRAN(comm_set_attr, (f_int * comm, f_int *key, MPI_Aint *value, f_int *ierr))
 {
-    IERR = MPI_Comm_set_attr(F_COMM(comm), *key, (void *)(intptr_t)*value);
-}
-
-FORTRAN(attr_get, (f_int * comm, f_int *key, f_int *value, f_int *flag, f_int *ierr))
-{
-    void *found;
-    IERR = MPI_Comm_get_attr(F_COMM(comm), *key, &found, flag);
-    if (!IERR && *flag) /* those of MPI's own are pointers to numbers */
-        *value = *key <= MPI_LASTUSEDCODE ? *(int *)found : (f_int)(intptr_t)found;
-}
-
-FORTRAN(attr_delete, (f_int * comm, f_int *key, f_int *ierr))
-{
-    IERR = MPI_Comm_delete_attr(F_COMM(comm), *key);
+    IERR = MPI_Comm_set_attr(F_COMM(comm), *key, (void *)*value);
+    if (!IERR)
+        attribute_last_is_number(comm_of(F_COMM(comm))->attributes);
 }
 
 FORTRAN(comm_get_attr, (f_int * comm, f_int *key, MPI_Aint *value, f_int *flag, f_int *ierr))
 {
     void *found;
     IERR = MPI_Comm_get_attr(F_COMM(comm), *key, &found, flag);
-    if (!IERR && *flag)
-        *value = *key <= MPI_LASTUSEDCODE ? *(int *)found : (MPI_Aint)found;
+    if (!IERR && *flag) /* those of MPI's own are pointers to numbers */
+        *value = *key <= MPI_LASTUSEDCODE ? *(int *)found
+                                          : attribute_number(comm_of(F_COMM(comm))->attributes, found);
 }
 
-FORTRAN(comm_set_attr, (f_int * comm, f_int *key, MPI_Aint *value, f_int *ierr))
+FORTRAN(attr_put, (f_int * comm, f_int *key, f_int *value, f_int *ierr))
 {
-    IERR = MPI_Comm_set_attr(F_COMM(comm), *key, (void *)*value);
+    pmpi_comm_set_attr_(comm, key, &(MPI_Aint){*value}, ierr);
+}
+
+FORTRAN(attr_get, (f_int * comm, f_int *key, f_int *value, f_int *flag, f_int *ierr))
+{
+    MPI_Aint number;
+    pmpi_comm_get_attr_(comm, key, &number, flag, ierr);
+    if (!IERR && *flag)
+        *value = (f_int)number;
+}
+
+FORTRAN(attr_delete, (f_int * comm, f_int *key, f_int *ierr))
+{
+    IERR = MPI_Comm_delete_attr(F_COMM(comm), *key);
 }

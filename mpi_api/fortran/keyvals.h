@@ -37,7 +37,7 @@ static int make_key(f_copy *copy, f_delete *drop, f_int *key, MPI_Aint extra)
 {
     struct f_key *k = get_memory(sizeof *k); /* as long as the key */
     *k = (struct f_key){copy, drop, extra};
-    return attribute_key((void *)call_copy, (void *)call_delete, key, k);
+    return attribute_key((void *)call_copy, (void *)call_delete, key, k, true);
 }
 
 #define KEYS(lower, Upper, type)                                                                             \

@@ -65,14 +65,17 @@ FORTRAN(win_get_attr, (f_int * win, f_int *key, MPI_Aint *value, f_int *flag, f_
     IERR = MPI_Win_get_attr(F_WIN(win), *key, &found, flag);
     if (IERR || !*flag)
         return;
-    *value = *key == MPI_WIN_SIZE                           ? *(MPI_Aint *)found
-             : *key > MPI_WIN_BASE && *key <= MPI_WIN_MODEL ? *(int *)found
-                                                            : (MPI_Aint)found;
+    *value = *key == MPI_WIN_SIZE ? *(MPI_Aint *)found
+             : *key > MPI_WIN_BASE && *key <= MPI_WIN_MODEL
+                 ? *(int *)found
+                 : attribute_number(win_of(F_WIN(win))->attributes, found);
 }
 
 FORTRAN(win_set_attr, (f_int * win, f_int *key, MPI_Aint *value, f_int *ierr))
 {
     IERR = MPI_Win_set_attr(F_WIN(win), *key, (void *)*value);
+    if (!IERR)
+        attribute_last_is_number(win_of(F_WIN(win))->attributes);
 }
 
 KEYS(win, Win, MPI_Win)

@@ -4,11 +4,19 @@
 #include "lib.h"
 #include "nx.h"
 
+/* C attaches pointers, Fortran numbers: C gets the address of one that Fortran has attached, and Fortran the
+ * address that C has (MPI 4.0, 19.3.7). */
 struct attribute {
     struct attribute *next;
     int key;
-    void *value;
+    bool is_number;
+    void *value; /* a number, as wide as an address: of little-endian machines an INTEGER, too */
 };
+
+static void *value_for_c(struct attribute *a)
+{
+    return a->is_number ? (void *)&a->value : a->value;
+}
 
 /* The functions of communicators and of datatypes differ in their first parameter only: a handle. */
 typedef int copy_function(void *handle, int key, void *extra, void *in, void *out, int *flag);
@@ -18,7 +26,8 @@ struct key {
     copy_function *copy;
     delete_function *drop;
     void *extra;
-    int users; /* attributes, and 1 until it is freed; 0: none */
+    bool takes_numbers; /* the functions are Fortran's */
+    int users;          /* attributes, and 1 until it is freed; 0: none */
     bool freed;
 };
 
@@ -32,10 +41,11 @@ static struct key *key_of(int key)
     return k && k->users ? k : NULL;
 }
 
-int attribute_key(void *copy, void *drop, int *key, void *extra)
+int attribute_key(void *copy, void *drop, int *key, void *extra, bool takes_numbers)
 {
     keys = realloc(keys, (size_t)(key_count + 1) * sizeof *keys);
-    keys[key_count] = (struct key){(copy_function *)copy, (delete_function *)drop, extra, 1, false};
+    keys[key_count] =
+        (struct key){(copy_function *)copy, (delete_function *)drop, extra, takes_numbers, 1, false};
     *key = FIRST_KEY + key_count++;
     return MPI_SUCCESS;
 }
@@ -69,7 +79,9 @@ static int delete_one(void *handle, struct attribute **list, int key)
 {
     struct attribute *a = *find(list, key);
     struct key *k = key_of(key);
-    int code = a && k && k->drop ? k->drop(handle, key, a->value, k->extra) : MPI_SUCCESS;
+    int code = MPI_SUCCESS;
+    if (a && k && k->drop)
+        code = k->drop(handle, key, k->takes_numbers ? a->value : value_for_c(a), k->extra);
     struct attribute **link = find(list, key);
     if (code || !*link)
         return code;
@@ -104,7 +116,7 @@ int attribute_set(int call, void *handle, struct attribute **list, int key, void
     if (code)
         return code;
     struct attribute *a = get_memory(sizeof *a);
-    *a = (struct attribute){*list, key, value};
+    *a = (struct attribute){*list, key, false, value};
     *list = a;
     key_of(key)->users++;
     return MPI_SUCCESS;
@@ -117,8 +129,21 @@ int attribute_get(int call, struct attribute **list, int key, void *value, int *
     struct attribute *a = *find(list, key);
     *flag = a != NULL;
     if (a)
-        memcpy(value, &a->value, sizeof a->value);
+        memcpy(value, &(void *){value_for_c(a)}, sizeof a->value);
     return MPI_SUCCESS;
+}
+
+void attribute_last_is_number(struct attribute *list)
+{
+    list->is_number = true;
+}
+
+MPI_Aint attribute_number(const struct attribute *list, const void *value)
+{
+    for (; list; list = list->next)
+        if (list->is_number && value == &list->value)
+            return (MPI_Aint)list->value;
+    return (MPI_Aint)value;
 }
 
 /* --- communicators --- */
@@ -142,17 +167,21 @@ static int copy_from(struct attribute *a, void *from, struct attribute **to)
         return MPI_SUCCESS;
     int code = copy_from(a->next, from, to), flag = 0;
     struct key *k = key_of(a->key);
-    void *value = NULL;
+    struct attribute made = {.key = a->key};
     if (code || !k || !k->copy)
         return code;
     if (k->copy == (copy_function *)MPI_COMM_DUP_FN)
-        value = a->value, flag = true;
-    else
-        code = k->copy(from, a->key, k->extra, a->value, &value, &flag);
+        made = *a, flag = true;
+    else {
+        made.is_number = k->takes_numbers;
+        code =
+            k->copy(from, a->key, k->extra, k->takes_numbers ? a->value : value_for_c(a), &made.value, &flag);
+    }
     if (code || !flag)
         return code;
     struct attribute *copy = get_memory(sizeof *copy);
-    *copy = (struct attribute){*to, a->key, value};
+    *copy = made;
+    copy->next = *to;
     *to = copy;
     key_of(a->key)->users++;
     return MPI_SUCCESS;
@@ -166,7 +195,7 @@ int comm_copy_attributes(struct comm *from, struct comm *to)
 CALL(Comm_create_keyval,
      (MPI_Comm_copy_attr_function * copy, MPI_Comm_delete_attr_function *delete, int *keyval, void *extra))
 {
-    return attribute_key((void *)copy, (void *)delete, keyval, extra);
+    return attribute_key((void *)copy, (void *)delete, keyval, extra, false);
 }
 
 CALL(Comm_free_keyval, (int *keyval))
@@ -241,7 +270,7 @@ int type_delete_attributes(struct type *t)
 CALL(Type_create_keyval,
      (MPI_Type_copy_attr_function * copy, MPI_Type_delete_attr_function *delete, int *keyval, void *extra))
 {
-    return attribute_key((void *)copy, (void *)delete, keyval, extra);
+    return attribute_key((void *)copy, (void *)delete, keyval, extra, false);
 }
 
 CALL(Type_free_keyval, (int *keyval))

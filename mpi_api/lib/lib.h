@@ -133,7 +133,8 @@ int handler_call(int call, MPI_Errhandler handler, void *handle, int code);
 
 /* --- attributes: of any object, by a list of its own --- */
 
-int attribute_key(void *copy, void *drop, int *key, void *extra); /* a new one */
+/* A new key; takes_numbers: its functions are Fortran's. */
+int attribute_key(void *copy, void *drop, int *key, void *extra, bool takes_numbers);
 int attribute_key_free(int call, int *key);
 /* The hints of a file or window become a copy of info, or none (MPI_INFO_NULL); the program gets a copy of
  * them. */
@@ -143,6 +144,9 @@ int attribute_set(int call, void *handle, struct attribute **list, int key, void
 int attribute_get(int call, struct attribute **list, int key, void *value, int *flag);
 int attribute_delete(int call, void *handle, struct attribute **list, int key);
 int attribute_delete_all(void *handle, struct attribute **list);
+/* For Fortran: what was set last is a number; what C's call has got, as a number. */
+void attribute_last_is_number(struct attribute *list);
+MPI_Aint attribute_number(const struct attribute *list, const void *value);
 
 /* --- datatypes --- */
 

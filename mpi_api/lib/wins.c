@@ -225,7 +225,7 @@ CALL(Win_get_info, (MPI_Win win, MPI_Info *info))
 CALL(Win_create_keyval,
      (MPI_Win_copy_attr_function * copy, MPI_Win_delete_attr_function *delete, int *keyval, void *extra))
 {
-    return attribute_key((void *)copy, (void *)delete, keyval, extra);
+    return attribute_key((void *)copy, (void *)delete, keyval, extra, false);
 }
 
 CALL(Win_free_keyval, (int *keyval))
