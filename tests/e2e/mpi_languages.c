@@ -1,4 +1,4 @@
-/* mpi_languages.c - the C half of mpi_languages.f90: what each language attaches to communicators, the other gets. */
+/* mpi_languages.c - the C half of mpi_languages.f90: what each attaches to communicators, the other gets. */
 #include <mpi.h>
 #include <stdio.h>
 
