@@ -28,7 +28,7 @@ READ_OFTEN struct basic basic_types[BASICS] = {
     AT(0x2d9) = {8, WHOLE, 0},    AT(0x2da) = {8, REAL, 0},     AT(0x2db) = {8, COMPLEX, 0},
     AT(0x2e2) = {16, REAL, 0},    AT(0x2e3) = {16, COMPLEX, 0}, AT(0x2f0) = {0, BITS, 0},
     AT(0x2f1) = {0, BITS, 0},     AT(0x213) = {8, COMPLEX, 0},  AT(0x217) = {16, COMPLEX, 0},
-    AT(0x225) = {32, COMPLEX, 0}, AT(0x239) = {1, LOGICAL, 0},  AT(0x2e1) = {16, BITS, 0},
+    AT(0x225) = {32, COMPLEX, 0}, AT(0x239) = {1, LOGICAL, 0},  AT(0x2e1) = {16, WHOLE, 0},
     AT(0x2eb) = {32, COMPLEX, 0},
 };
 

@@ -82,6 +82,7 @@ WHOLES(on_int8, int8_t)
 WHOLES(on_int16, int16_t)
 WHOLES(on_int32, int32_t)
 WHOLES(on_int64, int64_t)
+WHOLES(on_int128, __int128)
 WHOLES(on_uint8, uint8_t)
 WHOLES(on_uint16, uint16_t)
 WHOLES(on_uint32, uint32_t)
@@ -90,10 +91,12 @@ WHOLES(on_uint64, uint64_t)
 REALS(on_float, float)
 REALS(on_double, double)
 REALS(on_long_double, long double)
+REALS(on_quad, _Float128)
 #define COMPLEXES(name, type) FUNCTION(name, type, BETWEEN(type))
 COMPLEXES(on_complex, float complex)
 COMPLEXES(on_double_complex, double complex)
 COMPLEXES(on_long_double_complex, long double complex)
+COMPLEXES(on_quad_complex, _Complex _Float128)
 
 /* The first of equal values has the smaller index. */
 #define PAIRS(name, value_type, index_type)                                                                  \
@@ -150,17 +153,31 @@ static function_on *of_bytes(int bytes, function_on *one, function_on *two, func
     return bytes == 1 ? one : bytes == 2 ? two : bytes == 4 ? four : eight;
 }
 
+/* Fortran's REAL(16) has 113 bits, C's long double 64. */
+static function_on *real_function(MPI_Datatype t, int bytes)
+{
+    return bytes == 4 ? on_float : bytes == 8 ? on_double : t == MPI_REAL16 ? on_quad : on_long_double;
+}
+
+static function_on *complex_function(MPI_Datatype t, int bytes)
+{
+    return bytes == 8           ? on_complex
+           : bytes == 16        ? on_double_complex
+           : t == MPI_COMPLEX32 ? on_quad_complex
+                                : on_long_double_complex;
+}
+
 static function_on *function_of(MPI_Datatype t, const struct basic *b)
 {
     switch (b->class) {
     case WHOLE:
-        return of_bytes(b->bytes, on_int8, on_int16, on_int32, on_int64);
+        return b->bytes == 16 ? on_int128 : of_bytes(b->bytes, on_int8, on_int16, on_int32, on_int64);
     case LOGICAL:
         return of_bytes(b->bytes, on_uint8, on_uint16, on_int32, on_int64);
     case REAL:
-        return b->bytes == 4 ? on_float : b->bytes == 8 ? on_double : on_long_double;
+        return real_function(t, b->bytes);
     case COMPLEX:
-        return b->bytes == 8 ? on_complex : b->bytes == 16 ? on_double_complex : on_long_double_complex;
+        return complex_function(t, b->bytes);
     case PAIR:
         return pair_function(t);
     default:

@@ -175,6 +175,7 @@ static void add_link(struct arguments *a, const struct places *p)
     const char *libgfortran = text("%s/libgfortran.a", p->lib);
     if (access(libgfortran, F_OK) == 0) /* not where nxcc was built for C alone: make tables */
         add(a, libgfortran);
+    add(a, "-l:libquadmath.a"); /* of libgcc's package: REAL(16), of which libgfortran.a asks */
     add(a, "-lgcc");
     add(a, text("%s/libnode.so", p->lib));
 }

@@ -1,5 +1,5 @@
 /* absent.c - parts of GNU Fortran's library that a node does not have: threads for asynchronous I/O
- * (async.c), signals, 128-bit reals (libquadmath), and the host processor's instructions beyond plain x86-64;
+ * (async.c), signals, and the host processor's instructions beyond plain x86-64;
  * and how the library is ended. */
 #include <signal.h>
 #include <stdlib.h>
@@ -48,14 +48,21 @@ int nx_no_sigaction(int number, const struct sigaction *to, struct sigaction *be
     return 0;
 }
 
-/* --- REAL(16): its output and input --- */
+/* --- libquadmath has REAL(16) in the formats of C's printf, too, where it can --- */
 
-int quadmath_snprintf(char *buf, size_t size, const char *format, ...);
-int quadmath_snprintf(char *buf, size_t size, const char *format, ...)
-{
-    (void)buf, (void)size, (void)format;
-    nx_die("output of REAL(16): a node has no 128-bit reals; REAL(8) is its longest", NULL);
-}
+#define NO_FORMAT(name)                                                                                      \
+    int register_printf_##name(void);                                                                        \
+    int register_printf_##name(void)                                                                         \
+    {                                                                                                        \
+        return -1;                                                                                           \
+    }
+NO_FORMAT(modifier)
+NO_FORMAT(specifier)
+NO_FORMAT(type)
+
+/* Its logarithm of the gamma function sets a sign as C's does; a program that calls C's has that variable. */
+extern int signgam __attribute__((weak));
+int signgam;
 
 /* --- no more than x86-64 has always had: MATMUL's variants would differ in their last bits --- */
 

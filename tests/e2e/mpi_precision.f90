@@ -4,12 +4,16 @@ program precision
     use mpi_f08
     implicit none
     integer, parameter :: fine = selected_real_kind(15, 307), long = selected_int_kind(12)
+    integer, parameter :: quad = selected_real_kind(33, 4931), huge = selected_int_kind(38)
     integer, parameter :: digits(9) = [1, 6, 7, 15, 16, 18, 19, 33, MPI_UNDEFINED]
     integer, parameter :: ranges(7) = [1, 37, 38, 307, 308, 4931, MPI_UNDEFINED]
     type(MPI_Datatype) :: real, twice, complex, whole
     integer :: i, k, kind, bytes, rank, n, made, p, r
     real(fine) :: x
     complex(fine) :: z
+    real(quad) :: q
+    complex(quad) :: zq
+    integer(huge) :: sixteen(2)
     integer(long) :: all_ranks
     character(len=3) :: parts(4)
     made = 0
@@ -55,6 +59,16 @@ program precision
     z = cmplx(1, rank, fine)
     call MPI_Allreduce(MPI_IN_PLACE, z, 1, complex, MPI_SUM, MPI_COMM_WORLD)
     call expect("a sum of complex numbers", z == cmplx(n, n*(n - 1)/2, fine))
+    q = 1/3.0_quad + rank
+    call MPI_Allreduce(MPI_IN_PLACE, q, 1, MPI_REAL16, MPI_MAX, MPI_COMM_WORLD)
+    call expect("the largest of 113 bits", q == 1/3.0_quad + (n - 1))
+    zq = cmplx(1/3.0_quad, rank, quad)
+    call MPI_Allreduce(MPI_IN_PLACE, zq, 1, MPI_COMPLEX32, MPI_SUM, MPI_COMM_WORLD)
+    q = zq
+    call expect("a sum of 113 bits", abs(q - n/3.0_quad) < n*epsilon(q) .and. aimag(zq) == n*(n - 1)/2)
+    sixteen = 2_huge**100 + rank
+    call MPI_Allreduce(MPI_IN_PLACE, sixteen, 2, MPI_INTEGER16, MPI_SUM, MPI_COMM_WORLD)
+    call expect("a sum of INTEGER(16)", all(sixteen == n*2_huge**100 + n*(n - 1)/2))
     all_ranks = ibset(0_long, 40 + mod(rank, 20))
     call MPI_Allreduce(MPI_IN_PLACE, all_ranks, 1, whole, MPI_BOR, MPI_COMM_WORLD)
     call expect("bits", all_ranks == ishft(2_long**min(n, 20) - 1, 40))

@@ -392,9 +392,12 @@ locale_t node_newlocale(int mask, const char *name, locale_t base)
     return c->locale;
 }
 
+/* Glibc's items of its own, as libquadmath asks for, are words, not texts: the wide decimal point. */
 char *node_nl_langinfo(nl_item item)
 {
-    return own_memory_text(node_self(), nl_langinfo(item));
+    enum { LEAST_ADDRESS = 1 << 16 };
+    char *found = nl_langinfo(item);
+    return (uintptr_t)found < LEAST_ADDRESS ? found : own_memory_text(node_self(), found);
 }
 
 locale_t node_uselocale(locale_t to)
