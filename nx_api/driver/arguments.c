@@ -1,5 +1,7 @@
 /* arguments.c - see arguments.h. */
 #include "nx_api/driver/arguments.h"
+#include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -115,10 +117,18 @@ static void refuse(const char *s, bool mpi)
         fail("%s: a node program is a position-independent 64-bit image that the simulator loads; leave it "
              "out",
              s);
-    if (!strncmp(s, "-fsanitize", 10) || !strcmp(s, "-pg") || !strcmp(s, "-fopenmp") ||
-        !strcmp(s, "-pthread") || !strcmp(s, "--coverage"))
+    if (!strncmp(s, "-fsanitize", 10) || !strcmp(s, "-pg") || !strcmp(s, "--coverage"))
         fail("%s: needs a library that a node does not have%s", s,
              strcmp(s, "-fsanitize=address") ? "" : "; nxcc's own check of accesses is --asan");
+}
+
+/* A node has one thread: OpenMP's directives are comments, and functions for threads are those of the only one
+ * (nx_api/libc/openmp.c, pthread.c). */
+static bool is_of_threads(struct arguments *a, const char *option)
+{
+    bool openmp = !strcmp(option, "-fopenmp");
+    a->openmp = a->openmp || openmp;
+    return !a->mpi && (openmp || !strcmp(option, "-pthread"));
 }
 
 static void refuse_cplusplus(const char *s)
@@ -180,7 +190,8 @@ static bool take_own(struct arguments *a, int argc, char **argv, int *i)
     else if (!strcmp(option, "--dry-run"))
         a->dry_run = true;
     else
-        return is_one_of(option, dropped) || intel_take(a, option) || refuse_misspelt(option);
+        return is_one_of(option, dropped) || is_of_threads(a, option) || intel_take(a, option) ||
+               refuse_misspelt(option);
     return true;
 }
 
@@ -231,5 +242,9 @@ struct arguments arguments_read(int argc, char **argv)
         fail("--asan and --races: one program cannot have both; build it twice, and run each");
     if (!a.silent)
         intel_note(&a);
+    if (a.openmp && !a.mpi && a.links && !a.silent)
+        fprintf(stderr,
+                "%s: note: -fopenmp: a node has one thread, which does all that OpenMP would divide\n",
+                program_invocation_short_name);
     return a;
 }
