@@ -122,7 +122,7 @@ static void refuse(const char *s, bool mpi)
              strcmp(s, "-fsanitize=address") ? "" : "; nxcc's own check of accesses is --asan");
 }
 
-/* A node has one thread: OpenMP's directives are comments, and functions for threads are those of the only one
+/* A node has one thread: OpenMP's directives are comments, and functions for threads are those of one
  * (nx_api/libc/openmp.c, pthread.c). */
 static bool is_of_threads(struct arguments *a, const char *option)
 {
