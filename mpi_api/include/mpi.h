@@ -8,6 +8,9 @@
 #define TOUCHSTONE_MPI_H
 #include <stddef.h> /* as in Open MPI: programs have NULL from here */
 #include <stdint.h>
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 #define MPI_VERSION 3
 #define MPI_SUBVERSION 1
@@ -405,4 +408,7 @@ typedef MPI_Comm_errhandler_function MPI_Handler_function;
 typedef MPI_Request MPIO_Request;
 #define MPIO_Wait MPI_Wait
 #define MPIO_Test MPI_Test
+#ifdef __cplusplus
+}
+#endif
 #endif

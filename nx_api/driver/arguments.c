@@ -90,6 +90,13 @@ static bool is_one_of(const char *s, const char *const *list)
     return false;
 }
 
+static bool is_cplusplus_file(const char *argument)
+{
+    static const char *const endings[] = {"cc", "C", "cpp", "cxx", "c++", "cp", "CPP", "ii", NULL};
+    const char *dot = strrchr(argument, '.');
+    return argument[0] != '-' && dot && is_one_of(dot + 1, endings);
+}
+
 static enum kind kind_of(const char *argument)
 {
     static const char *const fortran[] = {"f", "for", "ftn", "f90", "f95", "f03", "f08", "fpp", NULL};
@@ -100,7 +107,7 @@ static enum kind kind_of(const char *argument)
     for (size_t i = 0; dot && fortran[i]; i++)
         if (!strcasecmp(dot + 1, fortran[i]))
             return FORTRAN_FILE;
-    return dot && is_one_of(dot + 1, c) ? C_FILE : OTHER_FILE;
+    return (dot && is_one_of(dot + 1, c)) || is_cplusplus_file(argument) ? C_FILE : OTHER_FILE;
 }
 
 /* Options that would make another kind of program, with the reason why they cannot be had. */
@@ -129,14 +136,6 @@ static bool is_of_threads(struct arguments *a, const char *option)
     bool openmp = !strcmp(option, "-fopenmp");
     a->openmp = a->openmp || openmp;
     return !a->mpi && (openmp || !strcmp(option, "-pthread"));
-}
-
-static void refuse_cplusplus(const char *s)
-{
-    static const char *const endings[] = {"cc", "C", "cpp", "cxx", "c++", "cp", "CPP", "ii", NULL};
-    const char *dot = strrchr(s, '.');
-    if (s[0] != '-' && dot && is_one_of(dot + 1, endings))
-        fail("%s: C++ programs cannot be made: a node has no C++ library; nxcc compiles C and Fortran", s);
 }
 
 /* gcc would not know which option of nxcc's was meant. Returns false: it is gcc's. */
@@ -175,6 +174,8 @@ static bool take_own(struct arguments *a, int argc, char **argv, int *i)
         a->mpi_program = true;
     else if (is_one_of(option, algebra))
         a->kmath = true;
+    else if (!a->mpi && !strcmp(option, "-lstdc++"))
+        a->cplusplus = true;
     else if (!strcmp(option, "--profile"))
         a->profile = true;
     else if (!strcmp(option, "--races"))
@@ -200,7 +201,9 @@ static void take_for_gcc(struct arguments *a, const char *argument)
     static const char *const no_link[] = {"-c", "-S", "-E", "-M", "-MM", "-fsyntax-only", NULL};
     enum kind kind = kind_of(argument);
     refuse(argument, a->mpi);
-    refuse_cplusplus(argument);
+    if (is_cplusplus_file(argument) && a->mpi)
+        fail("%s: NX programs in C++ are for simulated nodes; nxcc --mpi compiles C and Fortran", argument);
+    a->cplusplus = a->cplusplus || is_cplusplus_file(argument);
     a->silent = a->silent || !strcmp(argument, "-w");
     a->warnings = a->warnings || (!strncmp(argument, "-W", 2) && argument[2] != 'l');
     a->links = a->links && !is_one_of(argument, no_link);
@@ -214,7 +217,7 @@ struct arguments arguments_read(int argc, char **argv)
         "-o",  "-D",      "-U",       "-I", "-l", "-x",       "-include",   "-isystem", "-MF", "-MT",
         "-MQ", "-iquote", "-Xlinker", "-T", "-u", "-imacros", "-idirafter", "--param",  "-J",  NULL};
     struct arguments a = {
-        .costs = DEFAULT_COSTS, .links = true, .stub_values = "", .mpi_program = intel_is_mpi_name()};
+        .costs = DEFAULT_COSTS, .links = true, .stub_values = "", .mpi_program = intel_is_mpi_name(), .cplusplus = intel_is_cplusplus_name()};
     for (int i = 1; i < argc; i++)
         a.mpi = a.mpi || !strcmp(argv[i], "--mpi");
     /* Before the user's: lines for crash reports, and inlined code knows where it was written. */

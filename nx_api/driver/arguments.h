@@ -22,6 +22,7 @@ struct arguments {
     const char *ignored; /* options of Intel's compilers, or NULL */
     bool profile, races, asan, long32;
     bool openmp;       /* is asked for */
+    bool cplusplus;    /* a file is, or its library is asked for */
     bool unix_logical; /* in Fortran, INTEGERs are true as conditions if they are not 0, instead of odd */
     bool warnings;     /* are asked for */
     bool silent;       /* -w */

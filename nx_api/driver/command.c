@@ -91,6 +91,10 @@ static void add_compile(struct arguments *a)
         /* locals are cleared (unset.h): `rep stos`, GCC's way, begins slowly */
         "-mmemset-strategy=vector_loop:4096:noalign,libcall:-1:noalign", NULL};
     add_all(a, options);
+    if (a->cplusplus) { /* a node has one thread: */
+        add(a, "-fno-threadsafe-statics");
+        add(a, "-Dthread_local=__attribute__((nxc_of_thread))"); /* of_thread.h */
+    }
     if (a->asan) {
         add(a, "-fdata-sections");  /* each variable is followed by a red zone: asan_globals.h */
         add(a, "-fno-shrink-wrap"); /* also functions that call nobody have a frame, for reports */
@@ -170,6 +174,13 @@ static void add_link(struct arguments *a, const struct places *p)
         add(a, text("%s/libmpi.a", p->lib));
         add(a, "-Wl,-u,nxm_number"); /* by which main's value is known to be a status: machine.c */
     }
+    if (a->cplusplus) {
+        add(a, "-Wl,--wrap=abort");
+        add(a, text("%s/cplusplus.o", p->lib));
+        add(a, "-l:libstdc++.a");
+        add(a, "-l:libgcc_eh.a");
+        add(a, "-lgcc"); /* which calls libnx.a, too */
+    }
     add(a, text("%s/libxdr.a", p->lib));
     add(a, text("%s/libnx%s%s.a", p->lib, kind, a->profile ? "_profile" : ""));
     const char *libgfortran = text("%s/libgfortran.a", p->lib);
@@ -212,7 +223,7 @@ const char **command(const struct arguments *user, const struct places *p, bool 
 {
     bool mpi = user->mpi, fortran = has_kind(user, FORTRAN_FILE);
     struct arguments a = arguments_none(user);
-    add(&a, mpi ? cluster_program(link) : NXCC_GCC);
+    add(&a, mpi ? cluster_program(link) : intel_is_cplusplus_name() ? NXCC_GXX : NXCC_GCC);
     if (!mpi)
         add_plugin(&a, p);
     if (!mpi) /* no array lies beyond the stack's guard pages; programs that switch stacks by alloca say no */

@@ -165,15 +165,22 @@ _Noreturn void intel_links(const char *folder)
 /* --- MPI's names --- */
 
 static const char *const mpi_names[] = {"mpicc", "mpif77", "mpif90", "mpifort", NULL};
+static const char *const mpi_cplusplus_names[] = {"mpicxx", "mpic++", "mpiCC", NULL};
+
+bool intel_is_cplusplus_name(void)
+{
+    return is_one_of(program_invocation_short_name, mpi_cplusplus_names);
+}
 
 bool intel_is_mpi_name(void)
 {
-    return is_one_of(program_invocation_short_name, mpi_names);
+    return is_one_of(program_invocation_short_name, mpi_names) || intel_is_cplusplus_name();
 }
 
 _Noreturn void intel_mpi_links(const char *folder)
 {
     make_links(folder, mpi_names);
+    make_links(folder, mpi_cplusplus_names);
     exit(0);
 }
 

@@ -19,8 +19,10 @@ _Noreturn void intel_links(const char *folder);
 /* Is nxcc called as the C compiler of a makefile of the time? */
 bool intel_is_c_name(void);
 
-/* Is nxcc called by a name of MPI's compilers? Makes links by these names: mpicc, mpif77, mpif90, mpifort. */
+/* Is nxcc called by a name of MPI's compilers; of those for C++? Makes links by these names: mpicc, mpif77,
+ * mpif90, mpifort, mpicxx, mpic++, mpiCC. */
 bool intel_is_mpi_name(void);
+bool intel_is_cplusplus_name(void);
 _Noreturn void intel_mpi_links(const char *folder);
 
 /* If the option asks which compiler and options are behind mpicc, as build systems do, answers that it is

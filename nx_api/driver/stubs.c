@@ -278,9 +278,8 @@ int stubs_link(const char **gcc, const struct arguments *user, const char *progr
         return status;
     }
     fputs(said, stderr);
-    if (status && !user->mpi && misses_cplusplus(said)) {
-        fputs("nxcc: C++ programs cannot be made: a node has no C++ library; nxcc compiles C and Fortran\n",
-              stderr);
+    if (status && !user->mpi && !user->cplusplus && misses_cplusplus(said)) {
+        fputs("nxcc: some of this is C++, whose library -lstdc++ links, as mpicxx does\n", stderr);
     } else if (n.count) {
         fprintf(stderr, "nxcc: %s do not have ", who);
         print_names(&n);

@@ -28,14 +28,14 @@ STAND_INS  := $(patsubst %,$(NODE)/lib%.so,m c z)
 NODE_TOOLS := $(NODES)/nxcc $(NODES)/nxf77 $(NODE)/count.so $(NODE)/include $(NODE)/cpu $(CPU_FILES) $(wildcard nx_api/include/*.h nx_api/include/pfs/*.h nx_api/include/rpc/*.h)
 NXCC_TOOLS := $B/nxcc $B/nxf77 $(NODE_TOOLS)
 NXCC_C_DEPS := $(NXCC_TOOLS) $(NODE)/runtime.o $(NODE)/libnx.a $(NODE)/libxdr.a $(NODE)/libnode.so $(STAND_INS) # for C without options
-NXCC_DEPS   = $(NXCC_C_DEPS) $(NODE)/libmpi.a $(MPI_HEADERS) $(NODE)/runtime_long32.o $(LIBNX) $(NODE)/libgfortran.a
+NXCC_DEPS   = $(NXCC_C_DEPS) $(NODE)/libmpi.a $(MPI_HEADERS) $(NODE)/runtime_long32.o $(LIBNX) $(NODE)/libgfortran.a $(NODE)/cplusplus.o
 
 $B/nxcc: $(DRIVER_OBJ)
 	$(call say,LINK,$@)
 	$(CC) $(SAN) $(OPT) $(PREFIX_MAP) $(LTO) -o $@ $^
 
 -include $(DRIVER_OBJ:.o=.d)
-$(DRIVER_OBJ): CFLAGS += -DNXCC_GCC='"$(NODE_CC)"'
+$(DRIVER_OBJ): CFLAGS += -DNXCC_GCC='"$(NODE_CC)"' -DNXCC_GXX='"$(NODE_CXX)"'
 
 $B/nxf77: | $B/nxcc
 	ln -sf nxcc $@
@@ -153,6 +153,12 @@ $(NODE)/libgfortran.a: $(LIBGFORTRAN)
 	objcopy --redefine-sym signal=nx_no_signal --redefine-sym sigaction=nx_no_sigaction \
 		--redefine-sym raise=nx_ends_by --redefine-sym kill=nx_kill $@.new
 	ar q $@.new $^ && ranlib $@.new && mv $@.new $@
+
+# C++'s library is GCC's; this goes before it.
+$(NODE)/cplusplus.o: nx_api/nxcc/runtime/cplusplus_runtime.c
+	@mkdir -p $(@D)
+	$(call say,CC,$<)
+	$(NODE_CC) -std=gnu17 -O2 -g $(PREFIX_MAP) $(WARN) -fPIE -c -o $@ $<
 
 $(NODE)/runtime_long32.o: nx_api/nxcc/runtime/runtime.c nx_api/nxcc/runtime/enter.h nx_api/contract/program_image.h
 	@mkdir -p $(@D)

@@ -33,6 +33,7 @@
 #include "checks/race_update.h"
 #include "checks/race_written.h"
 #include "base/records.h"
+#include "language/of_thread.h"
 #include "language/redeclare.h"
 #include "language/statics.h"
 #include "base/symbols.h"
@@ -225,6 +226,7 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
         long32_register(info->base_name, a.long32);
     redeclare_register(info->base_name);
     statics_register(info->base_name);
+    of_thread_register(info->base_name);
     long_abi_register(info->base_name, a.long32);
     common_sizes_register(info->base_name);
     data_names_register(info->base_name);

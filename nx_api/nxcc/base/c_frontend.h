@@ -4,6 +4,7 @@
 #define NXCC_C_FRONTEND_H
 #include "base/gcc.h"
 #include "cpplib.h"
+#include "langhooks.h"
 
 /* The preprocessor's state. */
 extern cpp_reader *parse_in __attribute__((weak));
@@ -15,9 +16,15 @@ extern tree identifier_global_value(tree) __attribute__((weak));
 /* 1 if two types are compatible. */
 extern int comptypes(tree, tree) __attribute__((weak));
 
+/* Is the language C, and not C++, whose compiler has most of these symbols, too? */
+static inline bool is_c()
+{
+    return !strncmp(lang_hooks.name, "GNU C", 5) && lang_hooks.name[5] != '+';
+}
+
 /* Is a C file being compiled? From PLUGIN_START_UNIT on. */
 static inline bool is_c_unit()
 {
-    return &parse_in && parse_in;
+    return is_c() && &parse_in && parse_in;
 }
 #endif

@@ -156,7 +156,7 @@ void begin_definition(void *decl, void *)
 
 void start_unit(void *, void *plugin)
 {
-    if (!lookup_name || !comptypes)
+    if (!is_c())
         return;
     gcc_insert_attributes = targetm.insert_attributes;
     targetm.insert_attributes = insert_attributes;

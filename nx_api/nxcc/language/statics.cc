@@ -229,8 +229,8 @@ void finish_function(void *, void *)
 
 void statics_register(const char *plugin)
 {
-    if (!&identifier_global_value)
-        return; /* the language is not C */
+    if (!is_c())
+        return;
     register_callback(plugin, PLUGIN_START_UNIT, start_unit, NULL);
     register_callback(plugin, PLUGIN_FINISH_DECL, finish_declaration, NULL);
     register_callback(plugin, PLUGIN_FINISH_PARSE_FUNCTION, finish_function, NULL);
