@@ -216,8 +216,11 @@ struct arguments arguments_read(int argc, char **argv)
     static const char *const with_value[] = {
         "-o",  "-D",      "-U",       "-I", "-l", "-x",       "-include",   "-isystem", "-MF", "-MT",
         "-MQ", "-iquote", "-Xlinker", "-T", "-u", "-imacros", "-idirafter", "--param",  "-J",  NULL};
-    struct arguments a = {
-        .costs = DEFAULT_COSTS, .links = true, .stub_values = "", .mpi_program = intel_is_mpi_name(), .cplusplus = intel_is_cplusplus_name()};
+    struct arguments a = {.costs = DEFAULT_COSTS,
+                          .links = true,
+                          .stub_values = "",
+                          .mpi_program = intel_is_mpi_name(),
+                          .cplusplus = intel_is_cplusplus_name()};
     for (int i = 1; i < argc; i++)
         a.mpi = a.mpi || !strcmp(argv[i], "--mpi");
     /* Before the user's: lines for crash reports, and inlined code knows where it was written. */

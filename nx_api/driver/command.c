@@ -91,10 +91,8 @@ static void add_compile(struct arguments *a)
         /* locals are cleared (unset.h): `rep stos`, GCC's way, begins slowly */
         "-mmemset-strategy=vector_loop:4096:noalign,libcall:-1:noalign", NULL};
     add_all(a, options);
-    if (a->cplusplus) { /* a node has one thread: */
-        add(a, "-fno-threadsafe-statics");
+    if (a->cplusplus)
         add(a, "-Dthread_local=__attribute__((nxc_of_thread))"); /* of_thread.h */
-    }
     if (a->asan) {
         add(a, "-fdata-sections");  /* each variable is followed by a red zone: asan_globals.h */
         add(a, "-fno-shrink-wrap"); /* also functions that call nobody have a frame, for reports */

@@ -46,7 +46,7 @@ static const struct own_option {
                 "make links in DIR by the names that makefiles of the time use: icc, if77,\n"
                 "ar860, as860, nm860, size860, strip860, and cc and f77 for host programs"},
                {"--as-mpi", "DIR",
-                "make links in DIR by the names of MPI's compilers: mpicc, mpif77, mpif90, mpifort.\n"
+                "make links in DIR by the names of MPI's compilers: mpicc, mpif77, mpif90, mpifort, mpicxx.\n"
                 "They compile MPI programs for simulated nodes; so does nxcc with -lmpi"},
                {"-host", NULL,
                 "a host program, for touchstone run --host: nx.h declares getcube, load and\n"
@@ -82,7 +82,7 @@ static const char MORE[] =
     "options that old programs need: -std=legacy -fallow-argument-mismatch -fcray-pointer -fdollar-ok\n"
     "-fdec, and without warnings unless you ask for some (-Wall); yours come after them. ENCODE, NAME= in\n"
     "OPEN, INTEGERs as conditions and the like are rewritten for it. INCLUDE 'fcube.h' or 'fnx.h'\n"
-    "declares the NX functions. nxf77 is nxcc by another name. One program may have C and Fortran.\n"
+    "declares the NX functions. nxf77 is nxcc by another name. One program may have C, C++ and Fortran.\n"
     "\n"
     "C is GCC's own (gnu17), in which programs of before 1989 compile too, with warnings: -w leaves those\n"
     "out. Common variables may be defined in several files. What needs more: -std=gnu89, --long32.\n"

@@ -24,6 +24,17 @@ wchar_t *wcsdup(const wchar_t *text)
     return copy ? wmemcpy(copy, text, length) : NULL;
 }
 
+struct mallinfo whole_numbers(void) __asm__("mallinfo"); /* which glibc would have nobody call */
+
+struct mallinfo2 mallinfo2(void)
+{
+    struct mallinfo m = whole_numbers();
+    return (struct mallinfo2){.arena = (unsigned)m.arena,
+                              .ordblks = (unsigned)m.ordblks,
+                              .uordblks = (unsigned)m.uordblks,
+                              .fordblks = (unsigned)m.fordblks};
+}
+
 /* A node's malloc has nothing to be set. */
 int mallopt(int what, int value)
 {

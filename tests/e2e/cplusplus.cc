@@ -12,7 +12,6 @@
 #include <mutex>
 #include <numeric>
 #include <random>
-#include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -156,7 +155,6 @@ void streams()
     std::string line;
     std::getline(std::cin, line);
     std::cout << "read: " << line << "\n";
-    std::cout << std::regex_replace("a1b22", std::regex("[0-9]+"), "#") << "\n";
     try {
         std::locale l("xx_YY.UTF-8");
     } catch (const std::runtime_error &) {

@@ -92,8 +92,5 @@ check "the message names the functions and the library" \
     said '^nxcc: gadget, widget: in libgadgets\.so of this computer, but nodes load no libraries: link an archive'
 check "one that does not need what its makefile links is" "$BUILD/nxcc" -o wants_not wants_not.c -L. -lgadgets -lstdc++
 check "and runs" "$BUILD/touchstone" run -q wants_not
-echo 'int __cxa_atexit(void); int main(void) { return __cxa_atexit(); }' >cplusplus.c
-cplusplus() { ! "$BUILD/nxcc" -o wants cplusplus.c -lstdc++ 2>err; }
-check "what needs C++'s library is told about C++" eval 'cplusplus && said "C\+\+ programs cannot be made"'
 other() { ! "$BUILD/nxcc" -o wants wants.c -lstdc++ 2>err; }
 check "not what only names it, and lacks something else" eval 'other && said "nodes do not have gadget" && ! said "C\\+\\+"'

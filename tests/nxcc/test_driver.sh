@@ -148,8 +148,6 @@ check "icc: and do not disturb C" both
 gcc_own() { "$NXCC" -MM -MF other.d other.c && grep -q '^other\.o: other\.c' other.d; }
 check "GCC's own -M options are GCC's" gcc_own
 check "if77: an option that nothing has is refused" says "-Monetrip: GNU Fortran has no such DO loops" bin860/if77 -Monetrip -c wide.f
-cp other.c other.cc
-check "C++ is refused at once" says "other.cc: C++ programs cannot be made" "$NXCC" -c other.cc
 
 same() { "$NXCC" -O2 -S -o a.s hello.c && "$NXCC" -O2 -S -o b.s hello.c && cmp a.s b.s; }
 check "the same source gives the same code" same

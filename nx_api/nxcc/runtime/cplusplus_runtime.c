@@ -26,7 +26,7 @@ static struct ending {
     struct ending *next;
     void (*destroy)(void *);
     void *object;
-} *endings;
+} * endings;
 
 static void destroy_latest(void)
 {
@@ -67,7 +67,7 @@ void *__cxa_get_globals_fast(void)
 }
 
 void *once_callable __asm__("_ZSt15__once_callable"); /* std::__once_callable */
-void (*once_call)(void) __asm__("_ZSt11__once_call");  /* std::__once_call */
+void (*once_call)(void) __asm__("_ZSt11__once_call"); /* std::__once_call */
 
 void __once_proxy(void);
 void __once_proxy(void)
@@ -145,20 +145,14 @@ _Noreturn void __wrap_abort(void)
     __real_abort();
 }
 
-/* --- std::random_device: a sequence of the node's, the same in each run --- */
+/* --- std::random_device: the node's sequence, the same in each run, instead of the processor's --- */
 
-long mynode(void);
-
-/* Steele, Lea & Flood, Fast splittable pseudorandom number generators, OOPSLA 2014: SplitMix64. */
 unsigned random_value(void *device) __asm__("_ZNSt13random_device9_M_getvalEv");
 unsigned random_value(void *device)
 {
-    static uint64_t count;
-    uint64_t x = 0x9e3779b97f4a7c15 * (++count + ((uint64_t)mynode() << 40));
+    unsigned value;
     (void)device;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-    return (unsigned)(x >> 32);
+    return getentropy(&value, sizeof value) ? 0 : value;
 }
 
 double random_entropy(const void *device) __asm__("_ZNKSt13random_device13_M_getentropyEv");
@@ -175,7 +169,8 @@ double random_entropy(const void *device)
     {                                                                                                        \
         (void)device;                                                                                        \
     }
-NO_DEVICE(random_begins, (void *device), "_ZNSt13random_device7_M_initERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEE")
+NO_DEVICE(random_begins, (void *device),
+          "_ZNSt13random_device7_M_initERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEE")
 NO_DEVICE(random_begins_by_text, (void *device), "_ZNSt13random_device7_M_initEPKcm")
 NO_DEVICE(random_ends, (void *device), "_ZNSt13random_device7_M_finiEv")
 
