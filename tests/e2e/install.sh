@@ -28,8 +28,8 @@ lib/pkgconfig/libnx-mpi.pc
 lib/pkgconfig/touchstone.pc
 lib/touchstone/app/model
 lib/touchstone/commit
-lib/touchstone/cplusplus.o
 lib/touchstone/count.so
+lib/touchstone/cplusplus.o
 lib/touchstone/installed
 lib/touchstone/libc.so
 lib/touchstone/libgfortran.a
