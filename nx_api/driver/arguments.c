@@ -230,6 +230,7 @@ struct arguments arguments_read(int argc, char **argv)
             continue;
         if (is_one_of(argv[i], with_value) && i + 1 < argc) {
             enum kind kind = strcmp(argv[i], "-o") ? OPTION : OUTPUT;
+            a.cplusplus = a.cplusplus || (!strcmp(argv[i], "-x") && !strcmp(argv[i + 1], "c++"));
             add_kind(&a, argv[i], kind);
             add_kind(&a, argv[++i], kind);
         } else if (!strcmp(argv[i], "-L") && i + 1 < argc) {
@@ -238,6 +239,8 @@ struct arguments arguments_read(int argc, char **argv)
             take_for_gcc(&a, argv[i]);
         }
     }
+    if (a.long32 && a.cplusplus)
+        fail("--long32: only for C and Fortran; C++'s library has longs of 64 bits");
     if (a.mpi && a.profile)
         fail("--profile: only for simulated nodes; leave it out with --mpi");
     if (a.mpi && a.races)

@@ -45,5 +45,7 @@ echo '#include <thread>
 int main() { std::thread([] {}).join(); }' >threads.cc
 "$BUILD/nxcc" -o threads threads.cc 2>err
 check "threads are not there to link with" said 'nodes do not have pthread_create'
+"$BUILD/nxcc" --long32 -o none part.cc 2>err
+check "longs of 32 bits are not for C++" said '^nxcc: --long32: only for C and Fortran'
 "$BUILD/nxcc" --mpi -o none part.cc 2>err
 check "nxcc --mpi says that it is for C and Fortran" said '^nxcc: part\.cc: NX programs in C\+\+ are for simulated nodes'
