@@ -34,6 +34,7 @@ printf '%s\n' '#include <mpi.h>' '#include <stdio.h>' 'int main(int argc, char *
     '    MPI_Finalize();' '    return 0;' '}' >ranks.c
 check "mpi.h is found without -lmpi" bin/icc -I/usr/local/mpi/include -c ranks.c
 check "and linked with it" bin/icc -o ranks -L/usr/local/mpi/lib/intelnx/ch_nx ranks.o -lmpi
+check "so it is with the Paragon's libraries" bin/icc -nx -o ranks ranks.o -lmpi -lmach3
 check "strip860 strips" bin/strip860 ranks
 ran() { [ "$(sort out | xargs)" = "rank 0 rank 1" ]; }
 run -q -m ipsc860 -n 2 ranks
