@@ -134,7 +134,22 @@ int coll_fail_same(const struct args *a)
     if (a->o.c->remote || !same || !any)
         return MPI_SUCCESS;
     return fail(a->o.c, a->o.call, MPI_ERR_BUFFER,
-                "what is sent and what is received are the same memory: MPI_IN_PLACE says so");
+                "what is sent and what is received are the same memory: give MPI_IN_PLACE for one of them");
+}
+
+/* The rank's part of what it gathers or scatters. */
+static bool lies_in_place(const struct args *a)
+{
+    int rank = a->o.rank, sent = a->counts ? a->counts[rank] : a->count;
+    int received = a->rooms ? a->rooms[rank] : a->room;
+    int place = a->counts ? a->at[rank] : a->rooms ? a->places[rank] : rank;
+    return place == 0 && sent == received && a->type == a->as;
+}
+
+int coll_fail_part(const struct args *a)
+{
+    bool fatal = a->o.c->handler == MPI_ERRORS_ARE_FATAL;
+    return fatal && lies_in_place(a) ? MPI_SUCCESS : coll_fail_same(a);
 }
 
 /* --- messages --- */

@@ -62,8 +62,10 @@ WRONG(scan, MPI_Scan(into, into, 2, MPI_INT, MPI_SUM, MPI_COMM_WORLD))
 WRONG(reduce_scatter, MPI_Reduce_scatter(into, into, ones, MPI_INT, MPI_SUM, MPI_COMM_WORLD))
 WRONG(block, MPI_Reduce_scatter_block(into, into, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD))
 WRONG(allgather, MPI_Allgather(into, 1, MPI_INT, into, 1, MPI_INT, MPI_COMM_WORLD))
-WRONG(gather, MPI_Gather(into, 1, MPI_INT, into, 1, MPI_INT, 0, MPI_COMM_WORLD))
-WRONG(scatter, MPI_Scatter(into, 1, MPI_INT, into, 1, MPI_INT, 0, MPI_COMM_WORLD))
+/* (Of other lengths: an own part that lies in its place is none but where errors are returned.) */
+WRONG(gather, MPI_Gather(into, 2, MPI_INT, into, 1, MPI_INT, 0, MPI_COMM_WORLD))
+WRONG(scatter, MPI_Scatter(into, 1, MPI_INT, into, 2, MPI_INT, 0, MPI_COMM_WORLD))
+WRONG(in_place, MPI_Allgather(&into[rank], 1, MPI_INT, into, 1, MPI_INT, MPI_COMM_WORLD))
 WRONG(alltoall, MPI_Alltoall(into, 1, MPI_INT, into, 1, MPI_INT, MPI_COMM_WORLD))
 WRONG(alltoallv, MPI_Alltoallv(into, ones, zeros, MPI_INT, into, ones, zeros, MPI_INT, MPI_COMM_WORLD))
 
@@ -118,6 +120,7 @@ static const struct wrong {
            {"allgather", allgather},
            {"gather", gather},
            {"scatter", scatter},
+           {"in_place", in_place},
            {"alltoall", alltoall},
            {"alltoallv", alltoallv},
 
