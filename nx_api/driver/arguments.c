@@ -1,5 +1,7 @@
 /* arguments.c - see arguments.h. */
 #include "nx_api/driver/arguments.h"
+#include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -139,6 +141,15 @@ static bool refuse_misspelt(const char *option)
     return false;
 }
 
+/* Takes an option for the processor of this computer, which no node has. (By -mtune GCC makes other code,
+ * which costs something else.) */
+static bool take_processor(struct arguments *a, const char *option)
+{
+    bool native = !strcmp(option, "-march=native");
+    a->native = a->native || native;
+    return native || !strncmp(option, "-mtune=", sizeof "-mtune=" - 1);
+}
+
 /* Takes an option of nxcc's own, or of Intel's compilers. False: argv[*i] is none. */
 static bool take_own(struct arguments *a, int argc, char **argv, int *i)
 {
@@ -175,7 +186,7 @@ static bool take_own(struct arguments *a, int argc, char **argv, int *i)
         add(a, "-D__NX_HOST__");
     else if (!strcmp(option, "--long32"))
         a->long32 = true;
-    else if (take_stubs(a, option))
+    else if (take_stubs(a, option) || (!a->mpi && take_processor(a, option)))
         return true;
     else if (!strcmp(option, "--dry-run"))
         a->dry_run = true;
@@ -231,5 +242,9 @@ struct arguments arguments_read(int argc, char **argv)
         fail("--asan and --races: one program cannot have both; build it twice, and run each");
     if (!a.silent)
         intel_note(&a);
+    if (a.native && !a.silent)
+        fprintf(stderr,
+                "%s: note: -march=native is left out: node programs compute the same on every computer\n",
+                program_invocation_short_name);
     return a;
 }

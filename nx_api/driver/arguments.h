@@ -20,6 +20,7 @@ struct arguments {
     const char *costs;
     const char *factors;
     const char *ignored; /* options of Intel's compilers, or NULL */
+    bool native;         /* this computer's processor was asked for */
     bool profile, races, asan, long32;
     bool unix_logical; /* in Fortran, INTEGERs are true as conditions if they are not 0, instead of odd */
     bool warnings;     /* are asked for */
