@@ -22,6 +22,12 @@ struct coll coll_inside(const struct coll *o)
     return in;
 }
 
+/* What has failed is none: the program may call it again, with better arguments, beside the others. */
+static void take_back(struct comm *c)
+{
+    c->collectives = (c->collectives + COLLECTIVES - 1) % COLLECTIVES;
+}
+
 /* What Start needs of a persistent collective. */
 struct prepared {
     struct args args;
@@ -66,8 +72,10 @@ int coll_prepare(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_
         return fail_comm(call);
     a->o = coll_of(c, call);
     int code = check(a);
-    if (code)
+    if (code) {
+        take_back(c);
         return code;
+    }
     a->o.call = CALL_Start;
     struct request *r = request_new();
     struct prepared *p = get_memory(sizeof *p);
@@ -92,8 +100,10 @@ int coll_call(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_run
         return fail_comm(call);
     a->o = coll_of(c, call);
     int code = check(a);
-    if (code)
+    if (code) {
+        take_back(c);
         return code;
+    }
     if (!request)
         return run(a);
     struct request *r = request_new();

@@ -93,6 +93,16 @@ static int fine(void)
     return code ? code : MPI_Win_free(&win);
 }
 
+/* One rank's call fails, and is made again: it is the counterpart of the others'. */
+static int again(void)
+{
+    int first = rank ? MPI_SUCCESS : MPI_Bcast(into, -1, MPI_INT, 0, MPI_COMM_WORLD), sum;
+    into[0] = rank ? 0 : 7;
+    int code = MPI_Bcast(into, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    code = code ? code : MPI_Allreduce(into, &sum, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
+    return code || sum != 7 * size || (!rank && first == MPI_SUCCESS) ? MPI_ERR_OTHER : MPI_SUCCESS;
+}
+
 static const struct wrong {
     const char *name;
     int (*call)(void);
@@ -121,6 +131,7 @@ static const struct wrong {
            {"gather", gather},
            {"scatter", scatter},
            {"in_place", in_place},
+           {"again", again},
            {"alltoall", alltoall},
            {"alltoallv", alltoallv},
 
