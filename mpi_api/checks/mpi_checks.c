@@ -4,6 +4,7 @@
 #include "kernel/xalloc.h"
 #include "mpi_api/checks/fits.h"
 #include "mpi_api/checks/leftovers.h"
+#include "mpi_api/checks/overlaps.h"
 #include "nx_api/contract/backend.h"
 #include "os/observer.h"
 
@@ -61,6 +62,7 @@ static void hear_begins(struct observer *o, struct node *n, const struct nxm_tol
     node_order(n);
     leftovers_begin(&k->leftovers, k->all->findings, n, c);
     fits_collective(&k->fits, k->all->fits, n);
+    overlaps_begin(k->all->findings, n, c, l);
 }
 
 static void hear_ends(struct observer *o, struct node *n, const struct nxm_told *c,

@@ -1,8 +1,8 @@
 /* mpi_checks.h - what MPI programs do that the standard forbids, though the run goes on (touchstone run
  * --mpi-checks): requests, messages, communicators, datatypes, groups and operations that are left over at
  * MPI_Finalize, or that it is never called; collectives whose members do not fit together; messages received
- * as another kind of datatype than they were sent. It observes the nodes (os/observer.h), and changes no
- * virtual time. */
+ * as another kind of datatype than they were sent; memory that one call sends and receives in. It observes
+ * the nodes (os/observer.h), and changes no virtual time. */
 #ifndef MPI_CHECKS_H
 #define MPI_CHECKS_H
 #include <stdbool.h>

@@ -32,6 +32,7 @@ enum mpi_finding {
     OTHER_OPS,
     OTHER_AMOUNTS,
     OTHER_TYPES,
+    ONE_MEMORY,
     NOT_FINALIZED,
     MPI_FINDINGS
 };

@@ -22,6 +22,12 @@ struct coll coll_inside(const struct coll *o)
     return in;
 }
 
+/* What has failed is none: the program may call it again, with better arguments, beside the others. */
+static void take_back(struct comm *c)
+{
+    c->collectives = (c->collectives + COLLECTIVES - 1) % COLLECTIVES;
+}
+
 /* What Start needs of a persistent collective. */
 struct prepared {
     struct args args;
@@ -66,8 +72,10 @@ int coll_prepare(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_
         return fail_comm(call);
     a->o = coll_of(c, call);
     int code = check(a);
-    if (code)
+    if (code) {
+        take_back(c);
         return code;
+    }
     a->o.call = CALL_Start;
     struct request *r = request_new();
     struct prepared *p = get_memory(sizeof *p);
@@ -92,8 +100,10 @@ int coll_call(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_run
         return fail_comm(call);
     a->o = coll_of(c, call);
     int code = check(a);
-    if (code)
+    if (code) {
+        take_back(c);
         return code;
+    }
     if (!request)
         return run(a);
     struct request *r = request_new();
@@ -134,7 +144,22 @@ int coll_fail_same(const struct args *a)
     if (a->o.c->remote || !same || !any)
         return MPI_SUCCESS;
     return fail(a->o.c, a->o.call, MPI_ERR_BUFFER,
-                "what is sent and what is received are the same memory: MPI_IN_PLACE says so");
+                "what is sent and what is received are the same memory: give MPI_IN_PLACE for one of them");
+}
+
+/* The rank's part of what it gathers or scatters. */
+static bool lies_in_place(const struct args *a)
+{
+    int rank = a->o.rank, sent = a->counts ? a->counts[rank] : a->count;
+    int received = a->rooms ? a->rooms[rank] : a->room;
+    int place = a->counts ? a->at[rank] : a->rooms ? a->places[rank] : rank;
+    return place == 0 && sent == received && a->type == a->as;
+}
+
+int coll_fail_part(const struct args *a)
+{
+    bool fatal = a->o.c->handler == MPI_ERRORS_ARE_FATAL;
+    return fatal && lies_in_place(a) ? MPI_SUCCESS : coll_fail_same(a);
 }
 
 /* --- messages --- */

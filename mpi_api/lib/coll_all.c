@@ -86,7 +86,7 @@ static int check_allgather(struct args *a)
     int code = coll_check(&a->o, a->rooms ? 0 : a->room, a->as);
     if (!code && a->buf != MPI_IN_PLACE)
         code = coll_check(&a->o, a->count, a->type);
-    return code ? code : coll_check_apart(a);
+    return code ? code : coll_check_part(a);
 }
 #define check_allgatherv check_allgather
 

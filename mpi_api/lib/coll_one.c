@@ -177,7 +177,7 @@ static int check_gather(struct args *a)
         code = coll_check(&a->o, a->rooms ? 0 : a->room, a->as);
     if (!code && a->buf != MPI_IN_PLACE && a->root >= 0)
         code = coll_check(&a->o, a->count, a->type);
-    return code || !gets ? code : coll_check_apart(a);
+    return code || !gets ? code : coll_check_part(a);
 }
 
 static int gather(struct args *a)
@@ -228,7 +228,7 @@ static int check_scatter(struct args *a)
         code = coll_check(&a->o, a->counts ? 0 : a->count, a->type);
     if (!code && a->into != MPI_IN_PLACE && a->root >= 0)
         code = coll_check(&a->o, a->room, a->as);
-    return code || !gives ? code : coll_check_apart(a);
+    return code || !gives ? code : coll_check_part(a);
 }
 
 static int scatter(struct args *a)

@@ -148,6 +148,15 @@ static bool refuse_misspelt(const char *option)
     return false;
 }
 
+/* Takes an option for the processor of this computer, which no node has. (By -mtune GCC makes other code,
+ * which costs something else.) */
+static bool take_processor(struct arguments *a, const char *option)
+{
+    bool native = !strcmp(option, "-march=native");
+    a->native = a->native || native;
+    return native || !strncmp(option, "-mtune=", sizeof "-mtune=" - 1);
+}
+
 /* Takes an option of nxcc's own, or of Intel's compilers. False: argv[*i] is none. */
 static bool take_own(struct arguments *a, int argc, char **argv, int *i)
 {
@@ -186,7 +195,7 @@ static bool take_own(struct arguments *a, int argc, char **argv, int *i)
         add(a, "-D__NX_HOST__");
     else if (!strcmp(option, "--long32"))
         a->long32 = true;
-    else if (take_stubs(a, option))
+    else if (take_stubs(a, option) || (!a->mpi && take_processor(a, option)))
         return true;
     else if (!strcmp(option, "--dry-run"))
         a->dry_run = true;
@@ -209,6 +218,12 @@ static void take_for_gcc(struct arguments *a, const char *argument)
     a->links = a->links && !is_one_of(argument, no_link);
     a->has_file = a->has_file || kind != OPTION;
     add_kind(a, argument, kind);
+}
+
+static void tell(const struct arguments *a, const char *note)
+{
+    if (!a->silent)
+        fprintf(stderr, "%s: note: %s\n", program_invocation_short_name, note);
 }
 
 struct arguments arguments_read(int argc, char **argv)
@@ -251,9 +266,9 @@ struct arguments arguments_read(int argc, char **argv)
         fail("--asan and --races: one program cannot have both; build it twice, and run each");
     if (!a.silent)
         intel_note(&a);
-    if (a.openmp && !a.mpi && a.links && !a.silent)
-        fprintf(stderr,
-                "%s: note: -fopenmp: a node has one thread, which does all that OpenMP would divide\n",
-                program_invocation_short_name);
+    if (!a.mpi && a.openmp && a.links)
+        tell(&a, "-fopenmp: a node has one thread, which does all that OpenMP would divide");
+    if (a.native)
+        tell(&a, "-march=native is left out: node programs compute the same on every computer");
     return a;
 }

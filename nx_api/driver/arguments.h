@@ -20,6 +20,7 @@ struct arguments {
     const char *costs;
     const char *factors;
     const char *ignored; /* options of Intel's compilers, or NULL */
+    bool native;         /* this computer's processor was asked for */
     bool profile, races, asan, long32;
     bool openmp;       /* is asked for */
     bool cplusplus;    /* a file is, or its library is asked for */

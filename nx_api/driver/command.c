@@ -84,6 +84,7 @@ static void add_compile(struct arguments *a)
         "-D_Thread_local=",         /* ... like any variable */
         "-fcf-protection=none",     /* */
         "-gno-record-gcc-switches", /* the same object wherever nxcc is installed */
+        "-mtune=generic",           /* not that of a -march=: the same code, and so the same cost */
         "-mno-red-zone",            /* checks call from leaf functions: see plugin.cc */
         "-fno-omit-frame-pointer",  /* crash reports follow them */
         "-mno-omit-leaf-frame-pointer",

@@ -46,7 +46,7 @@ static bool is_ignored(const char *option)
 /* Every program is linked with what these had. */
 static bool is_library(const char *option)
 {
-    static const char *const there[] = {"-node", "-nx", "-lnode", "-lnx", "-lmach", "-lrpc", NULL};
+    static const char *const there[] = {"-node", "-nx", "-lnode", "-lnx", "-lmach", "-lmach3", "-lrpc", NULL};
     return is_one_of(option, there);
 }
 

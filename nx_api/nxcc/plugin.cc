@@ -149,7 +149,7 @@ void start_unit(void *, void *)
 {
     if (TARGET_AVX)
         error("nxcc: node programs are compiled for plain x86-64, so that they compute the same on every "
-              "computer: leave out %<-march%> and %<-mavx%>");
+              "computer: leave out %<-mavx%> and a %<-march%> that has it");
     if (TARGET_RED_ZONE)
         error("nxcc: node programs need %<-mno-red-zone%>");
     costs_check_built_in();

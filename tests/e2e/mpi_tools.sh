@@ -151,6 +151,32 @@ for n in 4 8; do
     check "$n nodes: what the one should have called" said "Before its program ends, each rank has to call .* MPI_Finalize"
 done
 
+# --- memory that one call sends and receives in ---
+build own_part -O2
+run -m delta -n 4 own_part
+times >plain
+check "own parts that lie in place are gathered and scattered" [ "$status:$(sort out | xargs)" = "0:rank 0 has 16 rank 1 has 32 rank 2 has 48 rank 3 has 64" ]
+same_times -m delta -n 4 --mpi-checks own_part
+while IFS='|' read -r call nodes; do
+    check "$call: memory that is sent and received in is told" told "MPI: memory is sent and received in at once: $call at $(line own_part.c "$call(")" "MPI_IN_PLACE" "$nodes"
+done <<'END'
+MPI_Allgather|4 times, on nodes 0-3
+MPI_Iallgather|4 times, on nodes 0-3
+MPI_Allgatherv|4 times, on nodes 0-3
+MPI_Gather|MPI_IN_PLACE for that
+MPI_Scatter|MPI_IN_PLACE for that
+END
+check "that is all" [ "$(grep -c MPI: err)" = 5 ]
+equal_results "own parts" -n 5 --mpi-checks own_part
+run -q -n 4 --set mpi_collectives=1995 own_part
+check "so they are by the algorithms of 1995" [ "$status:$(sort out | xargs)" = "0:rank 0 has 16 rank 1 has 32 rank 2 has 48 rank 3 has 64" ]
+run -q -n 4 --mpi-checks own_part pair
+check "MPI_Sendrecv: buffers that overlap in part are told" told "MPI_Sendrecv at $(line own_part.c 'MPI_Sendrecv(')" "MPI_Sendrecv_replace"
+run -q -n 4 --mpi-checks own_part well
+check "pieces between each other, and calls that say so, are fine" [ "$status:$(cat err)" = "0:" ]
+run -q -n 4 own_part whole
+check "an own part that lies at another place than it is to lie is an error" said "node [123], at .*MPI_Allgather: .*give MPI_IN_PLACE"
+
 # --- errors ---
 run -q -n 4 mpi_nodes long
 check "an error's first line is the program's, not the library's" [ "$(grep -m1 -o 'called from .*' err | grep -c '(mpi_nodes\.c:')" = 1 ]

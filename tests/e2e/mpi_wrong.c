@@ -62,8 +62,10 @@ WRONG(scan, MPI_Scan(into, into, 2, MPI_INT, MPI_SUM, MPI_COMM_WORLD))
 WRONG(reduce_scatter, MPI_Reduce_scatter(into, into, ones, MPI_INT, MPI_SUM, MPI_COMM_WORLD))
 WRONG(block, MPI_Reduce_scatter_block(into, into, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD))
 WRONG(allgather, MPI_Allgather(into, 1, MPI_INT, into, 1, MPI_INT, MPI_COMM_WORLD))
-WRONG(gather, MPI_Gather(into, 1, MPI_INT, into, 1, MPI_INT, 0, MPI_COMM_WORLD))
-WRONG(scatter, MPI_Scatter(into, 1, MPI_INT, into, 1, MPI_INT, 0, MPI_COMM_WORLD))
+/* (Of other lengths: an own part that lies in its place is none but where errors are returned.) */
+WRONG(gather, MPI_Gather(into, 2, MPI_INT, into, 1, MPI_INT, 0, MPI_COMM_WORLD))
+WRONG(scatter, MPI_Scatter(into, 1, MPI_INT, into, 2, MPI_INT, 0, MPI_COMM_WORLD))
+WRONG(in_place, MPI_Allgather(&into[rank], 1, MPI_INT, into, 1, MPI_INT, MPI_COMM_WORLD))
 WRONG(alltoall, MPI_Alltoall(into, 1, MPI_INT, into, 1, MPI_INT, MPI_COMM_WORLD))
 WRONG(alltoallv, MPI_Alltoallv(into, ones, zeros, MPI_INT, into, ones, zeros, MPI_INT, MPI_COMM_WORLD))
 
@@ -89,6 +91,16 @@ static int fine(void)
     code = code ? code : MPI_Win_unlock_all(win);
     code = code ? code : MPI_Win_fence(0, win);
     return code ? code : MPI_Win_free(&win);
+}
+
+/* One rank's call fails, and is made again: it is the counterpart of the others'. */
+static int again(void)
+{
+    int first = rank ? MPI_SUCCESS : MPI_Bcast(into, -1, MPI_INT, 0, MPI_COMM_WORLD), sum;
+    into[0] = rank ? 0 : 7;
+    int code = MPI_Bcast(into, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    code = code ? code : MPI_Allreduce(into, &sum, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
+    return code || sum != 7 * size || (!rank && first == MPI_SUCCESS) ? MPI_ERR_OTHER : MPI_SUCCESS;
 }
 
 static const struct wrong {
@@ -118,6 +130,8 @@ static const struct wrong {
            {"allgather", allgather},
            {"gather", gather},
            {"scatter", scatter},
+           {"in_place", in_place},
+           {"again", again},
            {"alltoall", alltoall},
            {"alltoallv", alltoallv},
 

@@ -40,6 +40,12 @@ scatter|invalid buffer|MPI_Scatter|what is sent and what is received
 alltoall|invalid buffer|MPI_Alltoall|what is sent and what is received
 alltoallv|invalid buffer|MPI_Alltoallv|what is sent and what is received
 END
+run -q -n 2 mpi_wrong in_place returned
+check "an own part in its place is an error where errors are returned" test "$(head -1 out)" = "invalid buffer"
+run -q -n 2 mpi_wrong in_place
+check "and none where they end the run" test "$status:$(head -1 out)" = "0:no error"
+run -q -n 4 mpi_wrong again returned
+check "a collective that failed on one rank may be called again" test "$status:$(head -1 out)" = "0:no error"
 run -q -n 4 mpi_wrong fine
 check "what only looks wrong is no error" test "$status:$(cat out)" = "0:no error"
 equal_results "the errors" -n 4 mpi_wrong overlap

@@ -34,6 +34,7 @@ printf '%s\n' '#include <mpi.h>' '#include <stdio.h>' 'int main(int argc, char *
     '    MPI_Finalize();' '    return 0;' '}' >ranks.c
 check "mpi.h is found without -lmpi" bin/icc -I/usr/local/mpi/include -c ranks.c
 check "and linked with it" bin/icc -o ranks -L/usr/local/mpi/lib/intelnx/ch_nx ranks.o -lmpi
+check "so it is with the Paragon's libraries" bin/icc -nx -o ranks ranks.o -lmpi -lmach3
 check "strip860 strips" bin/strip860 ranks
 ran() { [ "$(sort out | xargs)" = "rank 0 rank 1" ]; }
 run -q -m ipsc860 -n 2 ranks
@@ -45,6 +46,48 @@ bin/icc -Iown -c ranks.c 2>err
 check "a program's own mpi.h comes first" said '#error own'
 printf '%s\n' "      include 'mpif.h'" '      call MPI_INIT(ierr)' '      call MPI_FINALIZE(ierr)' '      end' >ranks.f
 check "mpif.h is found, too" bin/if77 -c ranks.f
+
+# --- options for the processor of this computer, which no node has ---
+cat >processor.c <<'END'
+#include <stdio.h>
+static double x[100], y[100], z[100];
+__attribute__((noinline)) int within(int n)
+{
+    int count = 0;
+    for (int i = 0; i < n; i++)
+        if (x[i] > 0.1 && y[i] < 0.9 && z[i] != x[i])
+            count++;
+    return count;
+}
+__attribute__((noinline)) int some(const int *p, int n)
+{
+    int count = 0;
+    for (int i = 0; i < n; i++)
+        if (p[i] > 3 && p[i] < 90 && p[i] != 17)
+            count += p[i] ? 2 : 1;
+    return count;
+}
+int main(void)
+{
+    int p[200];
+    for (int i = 0; i < 100; i++)
+        x[i] = i * 0.01, y[i] = 1 - i * 0.02, z[i] = 0.5;
+    for (int i = 0; i < 200; i++)
+        p[i] = i * 7 % 101;
+    return printf("%d %d\n", within(100), some(p, 200)) < 0;
+}
+END
+"$BUILD/nxcc" -O3 -o processor processor.c && run processor
+grep '^virtual time' err >plain
+for option in -mtune=skylake -mtune=native -march=native -march=nehalem; do
+    check "$option: taken" "$BUILD/nxcc" -O3 $option -o processor processor.c
+    run processor
+    check "$option: the program takes the same time" diff plain <(grep '^virtual time' err)
+done
+"$BUILD/nxcc" -O3 -march=native -c processor.c 2>err
+check "-march=native: a note, and nothing else" [ "$(cat err)" = "nxcc: note: -march=native is left out: node programs compute the same on every computer" ]
+"$BUILD/nxcc" -O3 -march=haswell -c processor.c 2>err
+check "-march=haswell: refused, which would let it compute differently" said "leave out .*-mavx.* and a .*-march.* that has it"
 
 # --- the example ---
 example "$page" pi.c 2
