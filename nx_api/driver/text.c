@@ -30,7 +30,7 @@ char *text(const char *format, ...)
 
 _Noreturn void fail_to_run(const char *program)
 {
-    if (errno == ENOENT && !strcmp(program, NXCC_GCC))
+    if (errno == ENOENT && (!strcmp(program, NXCC_GCC) || !strcmp(program, NXCC_GXX)))
         fail("%s is not to be found; nxcc has been built for this version of GCC: install it (in Debian, the "
              "package of that name)",
              program);
