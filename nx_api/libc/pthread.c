@@ -1,5 +1,5 @@
-/* pthread.c - what libraries that are made for threads call in a program that has none: locks, values of a
- * thread, and what is done once. A node has one thread, and pthread_create is not there. */
+/* pthread.c - what libraries that are made for threads call in a program that has none: locks, conditions,
+ * values of a thread, and what is done once. A node has one thread, and pthread_create is not there. */
 #include <errno.h>
 #include <pthread.h>
 #include <stddef.h>
@@ -52,6 +52,51 @@ int pthread_mutex_unlock(pthread_mutex_t *m)
 int pthread_mutex_destroy(pthread_mutex_t *m)
 {
     return m->__data.__count ? EBUSY : 0;
+}
+
+/* As locks: given at once. */
+#define RWLOCK(name)                                                                                         \
+    int pthread_rwlock_##name(pthread_rwlock_t *l)                                                           \
+    {                                                                                                        \
+        (void)l;                                                                                             \
+        return 0;                                                                                            \
+    }
+RWLOCK(rdlock)
+RWLOCK(wrlock)
+RWLOCK(tryrdlock)
+RWLOCK(trywrlock)
+RWLOCK(unlock)
+RWLOCK(destroy)
+
+int pthread_rwlock_init(pthread_rwlock_t *l, const pthread_rwlockattr_t *how)
+{
+    (void)how;
+    *l = (pthread_rwlock_t)PTHREAD_RWLOCK_INITIALIZER;
+    return 0;
+}
+
+/* Nobody waits for a condition: who would is the only one. */
+int pthread_cond_init(pthread_cond_t *c, const pthread_condattr_t *how)
+{
+    (void)how;
+    *c = (pthread_cond_t)PTHREAD_COND_INITIALIZER;
+    return 0;
+}
+
+int pthread_cond_signal(pthread_cond_t *c)
+{
+    (void)c;
+    return 0;
+}
+
+int pthread_cond_broadcast(pthread_cond_t *c)
+{
+    return pthread_cond_signal(c);
+}
+
+int pthread_cond_destroy(pthread_cond_t *c)
+{
+    return pthread_cond_signal(c);
 }
 
 int pthread_once(pthread_once_t *done, void (*what)(void))

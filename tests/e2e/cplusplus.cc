@@ -1,5 +1,6 @@
 // cplusplus.cc - much of C++'s language and library in one program; it prints the same wherever it runs.
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -15,8 +16,11 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <typeinfo>
 #include <unordered_map>
+#include <valarray>
+#include <variant>
 #include <vector>
 
 namespace
@@ -130,6 +134,12 @@ void containers()
     std::shared_ptr<shape> t = std::make_shared<other>(), t2 = t;
     std::function<double(double)> twice = [&](double x) { return 2 * x * s->area(); };
     std::cout << s->area() << " " << twice(2) << " " << t.use_count() << " " << typeid(*s).name() << "\n";
+    double read;
+    std::string_view digits = "2.5e3";
+    std::from_chars(digits.begin(), digits.end(), read);
+    std::valarray<double> w{1, 2, 3};
+    std::variant<int, std::string> any = "text";
+    std::cout << read << " " << (w * 2.0).sum() << " " << std::get<std::string>(any) << "\n";
     std::mt19937 g(42);
     std::normal_distribution<double> d;
     std::cout << g() << " " << std::fixed << std::setprecision(9) << d(g) << "\n";
