@@ -156,6 +156,11 @@ nxf77: mpi_bcast takes 6 arguments, here are 5: few_mpi.f:5
 nxf77: pmpi_recv takes 8 arguments, here are 7: few_mpi.f:6
 nxf77: mpi_bcast takes 6 arguments, here are 4: few_mpi.f:11
 END
+mkdir asks
+printf '      %s\n' 'program main' 'call mpi_init' 'end' | tee conftest.f mpi_init.f >asks/testFortranCompiler.f
+check "configure asks whether there is a call" nxf77 -lmpi -o conftest conftest.f
+check "CMake asks whether there is a call" nxf77 -lmpi -o conftest "$PWD/asks/testFortranCompiler.f"
+check "other programs give arguments" eval '! nxf77 -lmpi -o conftest mpi_init.f'
 for module in mpi mpi_f08; do
     printf '%s\n' 'program enough' "use $module" 'character(20) text' 'call mpi_init(ierr)' \
         'call mpi_bcast(text, 20, MPI_CHARACTER, 0, MPI_COMM_WORLD, ierr)' \
