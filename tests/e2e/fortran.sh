@@ -189,6 +189,9 @@ check "dec: structures, integers as logicals, lines that begin with D" nxf77 -o 
 run -n 1 dec
 check "dec: a program's own function has precedence over one of DEC's" \
     prints '           5           1         244           3\n  95 1.5\n'
+check "dec: operators of a module around the procedure are no components of structures" nxf77 -o operators "$f/operators.f90"
+run -n 1 operators
+check "dec: operators of a module give what they return" prints ' 25.0\n'
 
 cp "$f/dialect.f" .
 check "dialect: what only if77 took" nxf77 -Mextend -o dialect dialect.f
