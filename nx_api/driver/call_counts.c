@@ -65,10 +65,16 @@ static int compare(const void *left, const void *right)
     return order ? order : a->line != b->line ? a->line - b->line : strcmp(a->name, b->name);
 }
 
+/* What is too much, the callee does not see. */
+static bool is_error(const struct call *c)
+{
+    return c->language == 'f' && c->gives < c->takes;
+}
+
 static void report(const struct call *c)
 {
     fprintf(stderr, "%s: %s%s takes %d argument%s, here %s %d: %.*s\n", program_invocation_short_name,
-            c->language == 'c' ? "warning: " : "", c->name, c->takes, c->takes == 1 ? "" : "s",
+            is_error(c) ? "" : "warning: ", c->name, c->takes, c->takes == 1 ? "" : "s",
             c->gives == 1 ? "is" : "are", c->gives, (int)strcspn(c->place, "\n"), c->place);
 }
 
@@ -90,7 +96,7 @@ void call_counts_check(const char *program)
         qsort(calls, wrong, sizeof *calls, compare);
     for (size_t i = 0; i < wrong; i++) {
         report(&calls[i]);
-        errors += calls[i].language == 'f';
+        errors += is_error(&calls[i]);
     }
     free(calls);
     free(records);
