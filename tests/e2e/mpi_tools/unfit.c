@@ -22,6 +22,16 @@ int main(int argc, char **argv)
         else
             MPI_Bcast(&x, 1, MPI_INT, 0, MPI_COMM_WORLD);
     }
+    if (strncmp(how, "part", 4) == 0) { /* "parts": of a split communicator, which fit well */
+        MPI_Comm part;
+        MPI_Comm_split(MPI_COMM_WORLD, rank % 2, rank, &part);
+        MPI_Bcast(y, rank % 2 || (rank == 2 && strcmp(how, "part") == 0) ? 8 : 4, MPI_INT, 0, part);
+        if (rank % 2)
+            MPI_Barrier(part);
+        else
+            MPI_Allreduce(&x, y, 1, MPI_INT, MPI_SUM, part);
+        MPI_Comm_free(&part);
+    }
     if (strcmp(how, "wait") == 0 && rank == 1)
         MPI_Recv(&x, 1, MPI_INT, 0, 5, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     if (strcmp(how, "tag") == 0 && rank == 0)
