@@ -383,8 +383,7 @@ static struct collective **find(struct fits *f, int context, int leader, int num
 {
     struct collective **link =
         &f->collectives[bucket(0, (unsigned)leader, (unsigned)context, (unsigned)number)];
-    while (*link &&
-           !((*link)->context == context && (*link)->leader == leader && (*link)->number == number))
+    while (*link && !((*link)->context == context && (*link)->leader == leader && (*link)->number == number))
         link = &(*link)->next;
     return link;
 }
