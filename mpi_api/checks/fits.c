@@ -5,6 +5,7 @@
 #include "kernel/xalloc.h"
 #include "net/protocol.h"
 #include "node/node.h"
+#include "nx_api/contract/backend.h"
 #include "nx_api/waitfor/waitfor_mpi.h"
 
 enum { BUCKETS = 4096 };
@@ -411,13 +412,13 @@ static void comes(struct fits *f, const struct comm *comm, struct member *m)
 
 void fits_collective(struct fits_node *k, struct fits *f, struct node *n)
 {
-    char stem[64];
+    const char *stem = told_stem(k->call);
     const struct comm *comm = told_comm(k->library, k->call);
     if (!comm || comm->remote)
         return;
-    told_stem(k->call, stem);
     for (size_t i = 0; i < sizeof collectives / sizeof *collectives; i++)
         if (strcmp(stem, collectives[i].stem) == 0) {
+            node_order(n);
             struct member m = member(k, n, comm, collectives[i].root, collectives[i].others);
             comes(f, comm, &m);
         }
