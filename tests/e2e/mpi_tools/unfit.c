@@ -2,6 +2,11 @@
 #include <mpi.h>
 #include <string.h>
 
+static void sends(int *y, int count)
+{
+    MPI_Bcast(y, count, MPI_INT, 0, MPI_COMM_WORLD);
+}
+
 int main(int argc, char **argv)
 {
     int rank, x = 1, y[8];
@@ -14,6 +19,12 @@ int main(int argc, char **argv)
         MPI_Allreduce(&x, y, 1, MPI_INT, rank == 1 ? MPI_MAX : MPI_SUM, MPI_COMM_WORLD);
     if (strcmp(how, "count") == 0)
         MPI_Bcast(y, rank == 1 ? 8 : 4, MPI_INT, 0, MPI_COMM_WORLD);
+    if (strcmp(how, "caller") == 0) {
+        if (rank == 1)
+            sends(y, 8);
+        else
+            sends(y, 4);
+    }
     if (strcmp(how, "type") == 0)
         MPI_Bcast(y, 1, rank == 1 ? MPI_FLOAT : MPI_INT, 0, MPI_COMM_WORLD);
     if (strcmp(how, "call") == 0) {
