@@ -8,7 +8,6 @@
 #include <unistd.h>
 #include "nx_api/contract/edit_distance.h"
 #include "nx_api/driver/arguments.h"
-#include "nx_api/driver/intel.h"
 #include "nx_api/driver/places.h"
 #include "nx_api/driver/text.h"
 
@@ -179,11 +178,9 @@ static void print_compiler(bool fortran)
         fail("%s cannot be run", NXCC_GCC);
 }
 
-/* By MPI's names GCC comes first, which is what makefiles and configure scripts want to know. */
-void help_version(void)
+void help_version(bool mpi)
 {
     char commit[COMMIT_SIZE];
-    bool mpi = intel_is_mpi_name();
     read_commit(commit);
     if (mpi)
         print_compiler(strncmp(program_invocation_short_name, "mpif", 4) == 0);
