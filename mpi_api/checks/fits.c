@@ -5,6 +5,7 @@
 #include "kernel/xalloc.h"
 #include "net/protocol.h"
 #include "node/node.h"
+#include "nx_api/contract/backend.h"
 #include "nx_api/waitfor/waitfor_mpi.h"
 
 enum { BUCKETS = 4096 };
@@ -31,6 +32,7 @@ struct member {
 struct collective {
     struct collective *next;
     int context, number, come;
+    int leader; /* the node of rank 0: the parts of a split communicator have one context */
     struct member first;
 };
 
@@ -377,16 +379,25 @@ static void compare_members(struct mpi_findings *all, const struct collective *c
     free(how);
 }
 
+/* Where the collective is, or would be. */
+static struct collective **find(struct fits *f, int context, int leader, int number)
+{
+    struct collective **link =
+        &f->collectives[bucket(0, (unsigned)leader, (unsigned)context, (unsigned)number)];
+    while (*link && !((*link)->context == context && (*link)->leader == leader && (*link)->number == number))
+        link = &(*link)->next;
+    return link;
+}
+
 /* One of the communicator's members has come to a collective, which takes over its signature. */
 static void comes(struct fits *f, const struct comm *comm, struct member *m)
 {
-    int number = comm->collectives + 1;
-    struct collective **link = &f->collectives[bucket(0, 0, (unsigned)comm->context, (unsigned)number)];
-    while (*link && !((*link)->context == comm->context && (*link)->number == number))
-        link = &(*link)->next;
+    const struct group *g = comm->local;
+    int number = comm->collectives + 1, leader = g->nodes ? g->nodes[0] : g->first;
+    struct collective **link = find(f, comm->context, leader, number);
     if (!*link) {
         *link = xcalloc(1, sizeof **link);
-        **link = (struct collective){NULL, comm->context, number, 0, *m};
+        **link = (struct collective){NULL, comm->context, number, 0, leader, *m};
     } else {
         compare_members(f->all, *link, m);
         signature_free(&m->signature);
@@ -401,13 +412,13 @@ static void comes(struct fits *f, const struct comm *comm, struct member *m)
 
 void fits_collective(struct fits_node *k, struct fits *f, struct node *n)
 {
-    char stem[64];
+    const char *stem = told_stem(k->call);
     const struct comm *comm = told_comm(k->library, k->call);
     if (!comm || comm->remote)
         return;
-    told_stem(k->call, stem);
     for (size_t i = 0; i < sizeof collectives / sizeof *collectives; i++)
         if (strcmp(stem, collectives[i].stem) == 0) {
+            node_order(n);
             struct member m = member(k, n, comm, collectives[i].root, collectives[i].others);
             comes(f, comm, &m);
         }

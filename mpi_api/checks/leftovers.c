@@ -4,6 +4,7 @@
 #include <string.h>
 #include "kernel/xalloc.h"
 #include "node/node.h"
+#include "nx_api/contract/backend.h"
 
 /* The kinds that are checked, by the type of the argument through which a call gives a new one back. */
 static const struct checked_kind {
@@ -88,6 +89,7 @@ void leftovers_begin(struct leftovers *k, struct mpi_findings *all, struct node 
     if (strcmp(c->name, "MPI_Init") == 0 || strcmp(c->name, "MPI_Init_thread") == 0)
         k->init = mpi_place(n, c);
     if (strcmp(c->name, "MPI_Finalize") == 0) {
+        node_order(n);
         report(k, all, n);
         k->init.call = NULL;
     }
@@ -106,10 +108,9 @@ void leftovers_end(struct leftovers *k, struct node *n, const struct nxm_told *c
 {
     uintptr_t *at;
     sweep(k);
-    if (!makes_none(c->name))
-        for (size_t j = 0; j < sizeof kinds / sizeof *kinds; j++)
-            if ((at = told_pointer(c, kinds[j].type)))
-                add(k, n, c, *at, kinds[j].kind);
+    for (size_t j = 0; j < sizeof kinds / sizeof *kinds; j++)
+        if ((at = told_pointer(c, kinds[j].type)) && !makes_none(c->name))
+            add(k, n, c, *at, kinds[j].kind);
 }
 
 void leftovers_free(struct leftovers *k)

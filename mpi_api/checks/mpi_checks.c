@@ -5,7 +5,6 @@
 #include "mpi_api/checks/fits.h"
 #include "mpi_api/checks/leftovers.h"
 #include "mpi_api/checks/overlaps.h"
-#include "nx_api/contract/backend.h"
 #include "os/observer.h"
 
 struct mpi_checks {
@@ -51,7 +50,7 @@ static struct node_checks *checks_of(struct observer *o)
     return (struct node_checks *)o;
 }
 
-/* (Told on any thread; what is noted belongs to all nodes.) */
+/* (Told on any thread: what belongs to all nodes is noted in their order.) */
 static void hear_begins(struct observer *o, struct node *n, const struct nxm_told *c,
                         const struct nxm_library *l)
 {
@@ -59,7 +58,6 @@ static void hear_begins(struct observer *o, struct node *n, const struct nxm_tol
     if (k->fits.call && c < k->fits.call) /* by a function that the library has called */
         return;
     k->fits.call = c, k->fits.library = k->leftovers.library = l;
-    node_order(n);
     leftovers_begin(&k->leftovers, k->all->findings, n, c);
     fits_collective(&k->fits, k->all->fits, n);
     overlaps_begin(k->all->findings, n, c, l);

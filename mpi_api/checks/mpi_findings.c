@@ -56,8 +56,8 @@ static bool same_place(const struct mpi_place *a, const struct mpi_place *b)
     return a->call == b->call && a->file == b->file && memcmp(a->at, b->at, sizeof a->at) == 0;
 }
 
-/* "MPI_Irecv at leaks.c:12" */
-static void print_place(FILE *f, const struct mpi_place *p)
+/* "MPI_Irecv at leaks.c:12", malloc'd. */
+static char *place_text(const struct mpi_place *p)
 {
     char line[200];
     bool known = false;
@@ -66,13 +66,24 @@ static void print_place(FILE *f, const struct mpi_place *p)
     for (int i = 0; i < MPI_FRAMES && p->at[i] && !known; i++)
         known = node_image_line(p->file, p->at[i] - 1, line, sizeof line);
     const char *function = known || !p->at[0] ? NULL : node_image_function_name(p->file, p->at[0] - 1);
-    fprintf(f, "%s%s%s", p->call,
-            known      ? " at "
-            : function ? " in "
-                       : "",
-            known      ? line
-            : function ? function
-                       : "");
+    return xasprintf("%s%s%s", p->call,
+                     known      ? " at "
+                     : function ? " in "
+                                : "",
+                     known      ? line
+                     : function ? function
+                                : "");
+}
+
+/* One place, or two: places that differ by their callers have one text. */
+static void print_places(FILE *f, const struct mpi_place *a, const struct mpi_place *b)
+{
+    char *first = place_text(a), *second = b->call ? place_text(b) : NULL;
+    fputs(first, f);
+    if (second && strcmp(first, second) != 0)
+        fprintf(f, " and %s", second);
+    free(first);
+    free(second);
 }
 
 /* --- findings --- */
@@ -131,11 +142,7 @@ static const char *const texts[MPI_FINDINGS] = {
 static void print_finding(const struct finding *d, const char *before, FILE *f)
 {
     fprintf(f, "%sMPI: %s: ", before, texts[d->kind]);
-    print_place(f, &d->place);
-    if (d->other.call && !same_place(&d->place, &d->other)) {
-        fputs(" and ", f);
-        print_place(f, &d->other);
-    }
+    print_places(f, &d->place, &d->other);
     if (*d->detail)
         fprintf(f, ": %s", d->detail);
     if (d->count > 1)

@@ -5,6 +5,7 @@
 #include "kernel/xalloc.h"
 #include "mpi_api/core/told_accesses.h"
 #include "node/node.h"
+#include "nx_api/contract/backend.h"
 
 /* What a call sends from, or receives in: stretches of memory, and the one that has all of them. */
 struct stretches {
@@ -51,6 +52,7 @@ void overlaps_begin(struct mpi_findings *all, struct node *n, const struct nxm_t
     if (overlap(&s[0], &s[1])) {
         const struct mpi_place place = mpi_place(n, c);
         bool pair = strcmp(stem, "Sendrecv") == 0;
+        node_order(n); /* the findings are of all nodes */
         mpi_findings_add(all, ONE_MEMORY, n->id, &place, NULL,
                          pair ? "MPI has MPI_Sendrecv_replace for that" : "MPI has MPI_IN_PLACE for that");
     }

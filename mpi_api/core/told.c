@@ -12,41 +12,94 @@
 
 /* --- names --- */
 
-/* The parameters as mpi_calls.h declares them: "(int *argc, char ***argv)". */
-static const struct declared {
-    const char *name, *parameters;
+enum { MOST_PARAMETERS = 14, SLOTS = 2048 };
+
+struct parameter {
+    const char *name, *type; /* in the call's text; the type of a pointer, without "*" */
+    size_t name_length, type_length;
+};
+
+/* A call. The parameters are text as mpi_calls.h declares them, "(int *argc, char ***argv)", and a list. */
+static struct declared {
+    const char *name, *text;
+    struct parameter parameters[MOST_PARAMETERS];
+    size_t count;
+    char stem[32];
 } declared[] = {
 #define TEXT(...) #__VA_ARGS__
-#define MPI_DECLARE(name, ...) {"MPI_" #name, TEXT(__VA_ARGS__)},
+#define MPI_DECLARE(call, ...) {"MPI_" #call, TEXT(__VA_ARGS__), {{0}}, 0, ""},
 #include "mpi_api/include/mpi_calls.h"
 #undef MPI_DECLARE
 #undef TEXT
 };
 
-/* Pointers to the elements of `declared`, in order of their names. */
-static const struct declared *sorted[sizeof declared / sizeof *declared];
+/* The calls by a hash of their names; one that is taken sends to the next. */
+static const struct declared *slots[SLOTS];
 static pthread_once_t once = PTHREAD_ONCE_INIT;
 
-static int by_name(const void *a, const void *b)
+/* (FNV-1a.) */
+static size_t slot_of(const char *name)
 {
-    return strcmp((*(const struct declared *const *)a)->name, (*(const struct declared *const *)b)->name);
+    uint32_t hash = 0x811c9dc5;
+    for (; *name; name++)
+        hash = (hash ^ (unsigned char)*name) * 0x01000193;
+    return hash % SLOTS;
 }
 
-static void sort(void)
+/* "MPI_Comm *to": an array's name has [] behind it. */
+static struct parameter parameter(const char *begin, const char *end)
 {
-    for (size_t i = 0; i < sizeof sorted / sizeof *sorted; i++)
-        sorted[i] = &declared[i];
-    qsort(sorted, sizeof sorted / sizeof *sorted, sizeof *sorted, by_name);
+    size_t length = strcspn(begin, " *,)");
+    const char *behind = begin + length + (begin[length] == ' ');
+    while (end[-1] == ']' || end[-1] == '[')
+        end--;
+    const char *name = end;
+    while (isalnum((unsigned char)name[-1]) || name[-1] == '_')
+        name--;
+    return (struct parameter){name, begin, (size_t)(end - name), *behind == '*' ? length : 0};
+}
+
+static void list_parameters(struct declared *d)
+{
+    const char *begin = d->text + 1;
+    for (const char *p = begin; *p; p++)
+        if (*p == ',' || (*p == ')' && !p[1])) {
+            d->parameters[d->count++] = parameter(begin, p);
+            begin = p + 1 + (p[1] == ' ');
+        }
+}
+
+static void find_stem(struct declared *d)
+{
+    const char *name = d->name + sizeof "MPI_" - 1;
+    bool at_once = *name == 'I' && islower((unsigned char)name[1]);
+    snprintf(d->stem, sizeof d->stem, "%s", name + at_once);
+    *d->stem = (char)toupper((unsigned char)*d->stem);
+    char *end = d->stem + strlen(d->stem);
+    if (end - d->stem > 5 && strcmp(end - 5, "_init") == 0)
+        end[-5] = '\0';
+}
+
+static void fill_slots(void)
+{
+    for (struct declared *d = declared; d < declared + sizeof declared / sizeof *declared; d++) {
+        size_t slot = slot_of(d->name);
+        list_parameters(d);
+        find_stem(d);
+        while (slots[slot])
+            slot = (slot + 1) % SLOTS;
+        slots[slot] = d;
+    }
 }
 
 static const struct declared *declared_as(const char *call)
 {
-    static const struct declared other = {"MPI", "()"};
-    const struct declared key = {call, NULL}, *wanted = &key;
-    pthread_once(&once, sort);
-    const struct declared **found =
-        bsearch(&wanted, sorted, sizeof sorted / sizeof *sorted, sizeof *sorted, by_name);
-    return found ? *found : &other;
+    static const struct declared other = {.name = "MPI", .text = "()"};
+    pthread_once(&once, fill_slots);
+    size_t slot = slot_of(call);
+    while (slots[slot] && strcmp(slots[slot]->name, call) != 0)
+        slot = (slot + 1) % SLOTS;
+    return slots[slot] ? slots[slot] : &other;
 }
 
 const char *told_name(const struct nxm_told *c)
@@ -54,52 +107,35 @@ const char *told_name(const struct nxm_told *c)
     return declared_as(c->name)->name;
 }
 
-/* Is the parameter that ends at `end` called so? An array's name has [] behind it. */
-static bool is_called(const char *end, const char *name)
+const char *told_stem(const struct nxm_told *c)
 {
-    size_t length = strlen(name);
-    while (end[-1] == ']' || end[-1] == '[')
-        end--;
-    return strncmp(end - length, name, length) == 0 && !isalnum((unsigned char)end[-(long)length - 1]) &&
-           end[-(long)length - 1] != '_';
+    return declared_as(c->name)->stem;
 }
 
-/* The place of a parameter; -1: there is none of that name. */
-static int place_of(const char *parameters, const char *name)
-{
-    int place = 0;
-    for (const char *p = parameters; *p; p++)
-        if (*p == ',' || (*p == ')' && !p[1])) {
-            if (is_called(p, name))
-                return place;
-            place++;
-        }
-    return -1;
-}
-
-static uintptr_t value_at(const struct nxm_told *c, int place)
+static uintptr_t value_at(const struct nxm_told *c, size_t place)
 {
     return place < 6 ? c->args[place] : c->more[place - 6];
 }
 
 bool told_argument(const struct nxm_told *c, const char *name, uintptr_t *value)
 {
-    int place = place_of(declared_as(c->name)->parameters, name);
-    if (place < 0)
-        return false;
-    *value = value_at(c, place);
-    return true;
+    const struct declared *d = declared_as(c->name);
+    size_t length = strlen(name);
+    for (size_t i = 0; i < d->count; i++)
+        if (d->parameters[i].name_length == length && !memcmp(d->parameters[i].name, name, length)) {
+            *value = value_at(c, i);
+            return true;
+        }
+    return false;
 }
 
 uintptr_t *told_pointer(const struct nxm_told *c, const char *type)
 {
+    const struct declared *d = declared_as(c->name);
     size_t length = strlen(type);
-    int place = 0;
-    for (const char *p = declared_as(c->name)->parameters; (p = strpbrk(p, "(,")); place++) {
-        p += 1 + (p[1] == ' ');
-        if (strncmp(p, type, length) == 0 && (p[length] == '*' || (p[length] == ' ' && p[length + 1] == '*')))
-            return (uintptr_t *)value_at(c, place);
-    }
+    for (size_t i = 0; i < d->count; i++)
+        if (d->parameters[i].type_length == length && !memcmp(d->parameters[i].type, type, length))
+            return (uintptr_t *)value_at(c, i);
     return NULL;
 }
 
@@ -107,19 +143,6 @@ int told_int(const struct nxm_told *c, const char *name, int none)
 {
     uintptr_t value;
     return told_argument(c, name, &value) ? (int)value : none;
-}
-
-void told_stem(const struct nxm_told *c, char stem[64])
-{
-    const char *name = c->name + sizeof "MPI_" - 1;
-    snprintf(stem, 64, "%s", name);
-    if (*name == 'I' && islower((unsigned char)name[1])) {
-        snprintf(stem, 64, "%s", name + 1);
-        *stem = (char)toupper((unsigned char)*stem);
-    }
-    char *end = stem + strlen(stem);
-    if (end - stem > 5 && strcmp(end - 5, "_init") == 0)
-        end[-5] = '\0';
 }
 
 /* --- objects --- */

@@ -18,9 +18,8 @@ bool told_argument(const struct nxm_told *c, const char *name, uintptr_t *value)
 int told_int(const struct nxm_told *c, const char *name, int none);
 /* Where the call gives back a handle of a type, such as "MPI_Comm"; NULL: nowhere. */
 uintptr_t *told_pointer(const struct nxm_told *c, const char *type);
-/* What the call is without its form: "Send" of MPI_Isend, "Bcast" of MPI_Ibcast and MPI_Bcast_init; in place,
- * at least 64 bytes. */
-void told_stem(const struct nxm_told *c, char stem[64]);
+/* What the call is without its form: "Send" of MPI_Isend, "Bcast" of MPI_Ibcast and MPI_Bcast_init. */
+const char *told_stem(const struct nxm_told *c);
 
 /* The datatype behind a handle: one of MPI's own, or made of others; NULL: it is none of these. */
 const struct basic *told_basic(const struct nxm_library *l, uintptr_t type);

@@ -243,8 +243,7 @@ void told_accesses(const struct nxm_library *l, const struct nxm_told *c, told_a
 {
     const struct teller t = {l, c, f, ctx};
     const struct comm *comm = told_comm(l, c);
-    char stem[64];
-    told_stem(c, stem);
+    const char *stem = told_stem(c);
     if (!comm)
         return;
     if (strcmp(stem, "Recv") == 0)

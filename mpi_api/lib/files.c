@@ -75,10 +75,13 @@ static const char *plain_name(const char *name)
     return letters > 1 && name[letters] == ':' ? name + letters + 1 : name;
 }
 
+/* The file's end is where it is before the ranks meet: behind that, one may have written. */
 static int open_own(struct file *f, int flags)
 {
     flags |= f->amode & MPI_MODE_RDONLY ? O_RDONLY : f->amode & MPI_MODE_WRONLY ? O_WRONLY : O_RDWR;
     f->fd = open(f->name, flags, 0666);
+    if (f->fd >= 0 && f->amode & MPI_MODE_APPEND)
+        f->pointer = f->shared = lseek(f->fd, 0, SEEK_END);
     return f->fd < 0 ? file_error(errno) : MPI_SUCCESS;
 }
 
@@ -132,8 +135,6 @@ CALL(File_open, (MPI_Comm comm, const char *name, int amode, MPI_Info info, MPI_
         fail_file(NULL, CALL_File_open, code, "%s cannot be opened, on this rank or another", f->name);
         return file_free(f), code;
     }
-    if (amode & MPI_MODE_APPEND)
-        f->pointer = f->shared = lseek(f->fd, 0, SEEK_END);
     *file = HANDLE(MPI_File, f);
     server_begin(f);
     return info == MPI_INFO_NULL ? MPI_SUCCESS : PMPI_File_set_info(*file, info);

@@ -168,7 +168,7 @@ static bool take_own(struct arguments *a, int argc, char **argv, int *i)
     if (!strcmp(option, "--help"))
         help_show();
     else if (!strcmp(option, "--version"))
-        help_version();
+        help_version(intel_is_mpi_name());
     else if (!strcmp(option, "--describe"))
         help_describe();
     else if ((file = file_of("--costs", argc, argv, i)))

@@ -28,6 +28,21 @@ struct call {
     const char *place; /* "few.f:4\n", in the records */
 };
 
+/* Is the call in a program that Autoconf or CMake links, and never runs, to see whether there is such a
+ * function? These give no arguments. */
+static bool only_asks(const struct call *c)
+{
+    static const char *const probes[] = {"conftest.", "testFortranCompiler."};
+    const char *name = c->place;
+    for (int i = 0; i < c->file_length; i++)
+        if (c->place[i] == '/')
+            name = c->place + i + 1;
+    for (size_t i = 0; i < sizeof probes / sizeof *probes; i++)
+        if (c->gives == 0 && strncmp(name, probes[i], strlen(probes[i])) == 0)
+            return true;
+    return false;
+}
+
 /* False: the record is of another kind, or the call is right. */
 static bool is_wrong(const char *records, const char *record, struct call *c)
 {
@@ -38,7 +53,7 @@ static bool is_wrong(const char *records, const char *record, struct call *c)
     c->place = record + place;
     c->file_length = (int)strcspn(c->place, ":\n");
     c->line = atoi(c->place + c->file_length + strspn(c->place + c->file_length, ":"));
-    return true;
+    return !only_asks(c);
 }
 
 /* In the order of the source. */
@@ -50,10 +65,16 @@ static int compare(const void *left, const void *right)
     return order ? order : a->line != b->line ? a->line - b->line : strcmp(a->name, b->name);
 }
 
+/* What is too much, the callee does not see. */
+static bool is_error(const struct call *c)
+{
+    return c->language == 'f' && c->gives < c->takes;
+}
+
 static void report(const struct call *c)
 {
     fprintf(stderr, "%s: %s%s takes %d argument%s, here %s %d: %.*s\n", program_invocation_short_name,
-            c->language == 'c' ? "warning: " : "", c->name, c->takes, c->takes == 1 ? "" : "s",
+            is_error(c) ? "" : "warning: ", c->name, c->takes, c->takes == 1 ? "" : "s",
             c->gives == 1 ? "is" : "are", c->gives, (int)strcspn(c->place, "\n"), c->place);
 }
 
@@ -75,7 +96,7 @@ void call_counts_check(const char *program)
         qsort(calls, wrong, sizeof *calls, compare);
     for (size_t i = 0; i < wrong; i++) {
         report(&calls[i]);
-        errors += calls[i].language == 'f';
+        errors += is_error(&calls[i]);
     }
     free(calls);
     free(records);

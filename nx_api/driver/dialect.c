@@ -222,28 +222,54 @@ static void copy_to_stderr(FILE *said)
     free(line);
 }
 
-static bool complains(FILE *said)
+static bool can_be_rewritten(const char *message)
+{
+    return rewriting_for(message) != NULL;
+}
+
+/* GCC 12 takes `y .dot. x` for a component of one of DEC's structures if the operator is known by a module
+ * that is used around the procedure, not within. */
+static bool misses_operator(const char *message)
+{
+    return strstr(message, "is neither a defined operator nor a structure component") != NULL;
+}
+
+static bool has_said(FILE *said, bool such(const char *message))
 {
     char *line = NULL;
     size_t size = 0;
     bool yes = false;
     while (!yes && getline(&line, &size, said) >= 0)
-        yes = rewriting_for(line);
+        yes = such(line);
     free(line);
     rewind(said);
     return yes;
 }
 
-int dialect_run(const char **gcc, const struct arguments *user)
+/* Returns gcc's exit status, and what it says. */
+static int run_once(const char **gcc, FILE **said)
 {
     static const char *const colours[] = {"-fdiagnostics-color=always", NULL};
     static const char *const none[] = {NULL};
     const struct files nothing = {.count = 0};
-    FILE *said = tmpfile();
-    if (!said)
+    *said = tmpfile();
+    if (!*said)
         fail("%s: %s", P_tmpdir, strerror(errno));
-    int status = run(with_copies(gcc, &nothing, isatty(STDERR_FILENO) ? colours : none), said);
-    if (status && complains(said))
+    return run(with_copies(gcc, &nothing, isatty(STDERR_FILENO) ? colours : none), *said);
+}
+
+int dialect_run(const char **gcc, const struct arguments *user)
+{
+    static const char *const no_structures[] = {"-fno-dec-structure", NULL};
+    const struct files nothing = {.count = 0};
+    FILE *said;
+    int status = run_once(gcc, &said);
+    if (status && has_said(said, misses_operator)) {
+        fclose(said);
+        gcc = with_copies(gcc, &nothing, no_structures);
+        status = run_once(gcc, &said);
+    }
+    if (status && has_said(said, can_be_rewritten))
         status = compile_copies(gcc, user);
     else
         copy_to_stderr(said);

@@ -6,7 +6,8 @@
 #include "nx_api/driver/arguments.h"
 
 /* Runs the command for gcc (command.h), which compiles Fortran files of the user's, and once more from
- * copies if it fails for such statements alone or among others. Returns gcc's exit status. */
+ * copies if it fails for such statements alone or among others. What fails for an operator of its own is
+ * compiled without DEC's structures. Returns gcc's exit status. */
 int dialect_run(const char **gcc, const struct arguments *user);
 
 #endif

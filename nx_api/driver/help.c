@@ -20,7 +20,7 @@ static const char USE[] =
     "    nxcc -O2 -c part.c                 compile a part; link it later with nxcc\n"
     "    touchstone run hello               run it on a simulated machine\n"
     "\n"
-    "All options are gcc's (-c -E -S -g -O -D -I -L -l ...), and these:\n\n";
+    "All options are gcc's (-c -E -S -g -O -D -I -L -l ...: gcc.gnu.org), and these:\n\n"; /* looked for */
 
 /* The options of nxcc's own: names, the value that follows, if any, and what they do. */
 static const struct own_option {
@@ -160,12 +160,34 @@ static void read_commit(char commit[COMMIT_SIZE])
     free(path);
 }
 
-void help_version(void)
+/* What GCC says of itself, by its usual names: scripts look for "GNU Fortran (" at the beginning. */
+static void print_compiler(bool fortran)
+{
+    char *line = NULL;
+    size_t size = 0;
+    FILE *f = popen(NXCC_GCC " --version", "r");
+    for (bool first = true; f && getline(&line, &size, f) >= 0; first = false) {
+        const char *details = first ? strstr(line, " (") : NULL;
+        if (details)
+            printf("%s%s", fortran ? "GNU Fortran" : "gcc", details);
+        else
+            fputs(line, stdout);
+    }
+    free(line);
+    if (!f || pclose(f))
+        fail("%s cannot be run", NXCC_GCC);
+}
+
+void help_version(bool mpi)
 {
     char commit[COMMIT_SIZE];
     read_commit(commit);
-    printf("%s (touchstone) %s\ncommit %sfor GCC %s; gcc is:\n", program_invocation_short_name,
-           TOUCHSTONE_VERSION, commit, __VERSION__);
+    if (mpi)
+        print_compiler(strncmp(program_invocation_short_name, "mpif", 4) == 0);
+    printf("%s (touchstone) %s\ncommit %s", program_invocation_short_name, TOUCHSTONE_VERSION, commit);
+    if (mpi)
+        exit(0);
+    printf("for GCC %s; gcc is:\n", __VERSION__);
     fflush(stdout);
     execlp(NXCC_GCC, NXCC_GCC, "--version", (char *)NULL);
     fail_to_run(NXCC_GCC);

@@ -247,6 +247,8 @@ static bool all_of_fortran(const struct names *n)
 /* What may be wrong, and where the user finds what there is. */
 static const char *advice(const struct names *n, const struct arguments *user)
 {
+    if (!any_of_mpi(n) && user->mpi_program)
+        return "is a library missing (-l)? doc/old-programs.md says which calls of Unix there are";
     if (!any_of_mpi(n))
         return all_of_fortran(n) ? "is the spelling right? nx(3) has all calls (the last _ is Fortran's)"
                                  : "is the spelling right? nx.h declares all calls";

@@ -1,7 +1,12 @@
 /* shared_objects.c - libraries that a program would load while it runs. A node has none: dlopen fails, as it
- * may, and dlerror says why. Programs load plugins so, and do without them. */
+ * may, and dlerror says why. Programs load plugins so, and do without them. What is loaded is the program
+ * alone: dladdr knows its addresses, and no names, as of a program that exports none. */
+#define _GNU_SOURCE
 #include <dlfcn.h>
+#include <errno.h>
 #include <stddef.h>
+
+extern char __ehdr_start[], end[]; /* the program's first byte, and behind its last: the linker's */
 
 static char *error;
 
@@ -36,4 +41,14 @@ char *dlerror(void)
     char *last = error;
     error = NULL;
     return last;
+}
+
+/* Returns whether the address is the program's. */
+int dladdr(const void *address, Dl_info *info)
+{
+    const char *at = address;
+    if (at < __ehdr_start || at >= end)
+        return 0;
+    *info = (Dl_info){.dli_fname = program_invocation_name, .dli_fbase = __ehdr_start};
+    return 1;
 }

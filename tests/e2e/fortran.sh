@@ -88,12 +88,17 @@ cat >few.f <<'END'
 END
 counts() { ! nxf77 "$@" few.f && diff - compile.err; }
 expected='nxf77: csend takes 5 arguments, here are 4: few.f:7
-nxf77: crecv takes 3 arguments, here are 4: few.f:12
+nxf77: warning: crecv takes 3 arguments, here are 4: few.f:12
 nxf77: iprobe takes 1 argument, here are 0: few.f:14'
 check "calls with too few or too many arguments are named with file, line, counts" counts -o few <<<"$expected"
 check "calls with too few or too many arguments: with --mpi" counts --mpi -o few <<<"$expected"
 few() { nxf77 -c few.f && ! nxf77 -o few few.o && diff - compile.err && [ ! -e few ]; }
 check "calls with too few or too many arguments: when objects are linked, and no program is left" few <<<"$expected"
+printf '      %s\n' 'call gdsum(1d0, 1, x, 4)' 'print *, mynode(5)' 'end' >many.f
+many() { nxf77 -o many many.f && grep -qxF "nxf77: warning: gdsum takes 3 arguments, here are 4: many.f:1" compile.err; }
+check "calls with too many arguments do no harm" many
+run -n 1 many
+check "calls with too many arguments are as those with enough" prints '           0\n'
 cat >same.f <<'END'
       call csend(4)
       call gray('a', 'b')
@@ -156,6 +161,11 @@ nxf77: mpi_bcast takes 6 arguments, here are 5: few_mpi.f:5
 nxf77: pmpi_recv takes 8 arguments, here are 7: few_mpi.f:6
 nxf77: mpi_bcast takes 6 arguments, here are 4: few_mpi.f:11
 END
+mkdir asks
+printf '      %s\n' 'program main' 'call mpi_init' 'end' | tee conftest.f mpi_init.f >asks/testFortranCompiler.f
+check "configure asks whether there is a call" nxf77 -lmpi -o conftest conftest.f
+check "CMake asks whether there is a call" nxf77 -lmpi -o conftest "$PWD/asks/testFortranCompiler.f"
+check "other programs give arguments" eval '! nxf77 -lmpi -o conftest mpi_init.f'
 for module in mpi mpi_f08; do
     printf '%s\n' 'program enough' "use $module" 'character(20) text' 'call mpi_init(ierr)' \
         'call mpi_bcast(text, 20, MPI_CHARACTER, 0, MPI_COMM_WORLD, ierr)' \
@@ -184,6 +194,9 @@ check "dec: structures, integers as logicals, lines that begin with D" nxf77 -o 
 run -n 1 dec
 check "dec: a program's own function has precedence over one of DEC's" \
     prints '           5           1         244           3\n  95 1.5\n'
+check "dec: operators of a module around the procedure are no components of structures" nxf77 -o operators "$f/operators.f90"
+run -n 1 operators
+check "dec: operators of a module give what they return" prints ' 25.0\n'
 
 cp "$f/dialect.f" .
 check "dialect: what only if77 took" nxf77 -Mextend -o dialect dialect.f

@@ -302,6 +302,23 @@ static void own_representation(void)
         again == MPI_ERR_DUP_DATAREP && strcmp(name, "own") == 0 && extent == 2 * (MPI_Aint)sizeof(int));
 }
 
+/* All ranks begin behind what was there, also when rank 0 writes as soon as it has the file. */
+static void append(void)
+{
+    int number = 7;
+    MPI_Offset at;
+    MPI_File file = open_file("append", MPI_MODE_WRONLY | MPI_MODE_CREATE);
+    if (rank == 0)
+        MPI_File_write(file, &number, 1, MPI_INT, MPI_STATUS_IGNORE);
+    MPI_File_close(&file);
+    file = open_file("append", MPI_MODE_WRONLY | MPI_MODE_APPEND);
+    MPI_File_get_position(file, &at);
+    if (rank == 0)
+        MPI_File_write(file, &number, 1, MPI_INT, MPI_STATUS_IGNORE);
+    MPI_File_close(&file);
+    all("a file to append to is opened with its end, the same on all ranks", at == sizeof number);
+}
+
 static int handled;
 static void on_error(MPI_File *file, int *code, ...)
 {
@@ -373,6 +390,7 @@ int main(int argc, char **argv)
     later();
     external();
     own_representation();
+    append();
     errors();
     if (rank == 0)
         printf("after %.9f s\n", MPI_Wtime());

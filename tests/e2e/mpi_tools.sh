@@ -117,6 +117,12 @@ call|collectives differ|node 1 calls MPI_Barrier, node 0 MPI_Bcast
 END
 run -q -n 3 --mpi-checks unfit count
 check "count: what differs" told "MPI: counts or datatypes differ: MPI_Bcast at" "16 bytes on node 0, 32 on node 1"
+run -q -n 3 --mpi-checks unfit caller
+check "a line that two callers come to is named once" told "MPI: counts or datatypes differ: MPI_Bcast at $(line unfit.c 'MPI_Bcast(y, count'): 16 bytes"
+run -q -n 3 --mpi-checks unfit part
+check "a part of a split communicator: what differs" told "MPI: counts or datatypes differ: MPI_Bcast at" "32 bytes on node 2, 16 on node 0"
+run -q -n 6 --mpi-checks unfit parts
+check "parts of a split communicator are not compared with each other" [ ! -s err ]
 
 build signatures -O2
 while IFS='|' read -r how calls detail; do

@@ -21,6 +21,10 @@ printf '      CALL GSYNK()\n      END\n' >misspelt.f
 misspelt() { ! "$BUILD/nxf77" -o misspelt misspelt.f 2>err; }
 check "a misspelt call of Fortran" misspelt
 check "it is sent to the list of calls" said 'nodes do not have gsynk_: is the spelling right\? nx\(3\) has all calls'
+"$BUILD/nxcc" --as-mpi bin >links
+for_mpi() { ! bin/mpif90 -o misspelt misspelt.f 2>err; }
+check "a program of MPI that lacks a library" for_mpi
+check "it is not sent to NX" said 'nodes do not have gsynk_: is a library missing \(-l\)\? doc/old-programs\.md'
 no_main() { ! "$BUILD/nxcc" -o no_main no_main.c 2>err; }
 check "without main" no_main
 check "that is no function to do without" eval "! said --stubs"

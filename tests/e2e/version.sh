@@ -13,6 +13,11 @@ check "a command's is the same" cmp out <("$BUILD/touchstone" run --version)
 check "nxcc: the version" grep -qxF "nxcc (touchstone) $version" nxcc.out
 check "nxcc: the commit" grep -qxF "$(grep ^commit out)" nxcc.out
 check "nxcc: GCC's version" grep -qF "$(gcc -dumpfullversion)" nxcc.out
+"$BUILD/nxcc" --as-mpi bin >links
+check "mpif90: it is GNU Fortran" grep -q "^GNU Fortran (.*) $(gcc -dumpfullversion)$" <(bin/mpif90 --version | head -1)
+check "mpicc: it is GCC" grep -q "^gcc (.*) $(gcc -dumpfullversion)$" <(bin/mpicc --version | head -1)
+check "mpicc: touchstone's version" grep -qxF "mpicc (touchstone) $version" <(bin/mpicc --version)
+check "mpif90: its help names GCC, which PETSc's configure looks for" grep -qF gcc.gnu.org <(bin/mpif90 --help | head -20)
 check "CITATION.cff agrees" grep -qx "version: \"$version\"" "$top/CITATION.cff"
 check "debian/changelog agrees" test "$(sed -n '1s/.*(\([^-)]*\).*/\1/p' "$top/debian/changelog")" = "$version"
 check "CHANGELOG.md tells of it" grep -q "^## \[\?$version" "$top/CHANGELOG.md"

@@ -86,6 +86,20 @@ static int entropy(void)
     return memcmp(mine, last, 8) != 0 && (mynode() > 0 || mine[0] != 0 || mine[1] != 0);
 }
 
+/* The program is all that is loaded; it exports no names. */
+static int loaded(void)
+{
+    Dl_info code, data, heap;
+    static int variable;
+    char *block = malloc(10);
+    int good = dladdr((void *)loaded, &code) && dladdr(&variable, &data) && !dladdr(block, &heap) &&
+               code.dli_fbase == data.dli_fbase && code.dli_fbase < (void *)loaded &&
+               !memcmp(code.dli_fbase, "\177ELF", 4) && strstr(code.dli_fname, "surroundings") &&
+               !code.dli_sname && !code.dli_saddr;
+    free(block);
+    return good;
+}
+
 static int login(void)
 {
     char name[40] = "", few[2];
@@ -125,5 +139,6 @@ int main(void)
     rule("mallinfo", heap_info());
     rule("getentropy", entropy());
     rule("libraries", !dlopen("libm.so.6", RTLD_LAZY) && dlerror() && !dlerror() && !dlsym(NULL, "cos"));
+    rule("what is loaded", loaded());
     return 0;
 }
