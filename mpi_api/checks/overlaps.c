@@ -44,8 +44,7 @@ void overlaps_begin(struct mpi_findings *all, struct node *n, const struct nxm_t
                     const struct nxm_library *l)
 {
     struct stretches s[2] = {{0}};
-    char stem[64];
-    told_stem(c, stem);
+    const char *stem = told_stem(c);
     if (strcmp(stem, "Sendrecv_replace") == 0)
         return;
     told_accesses(l, c, note, s);
