@@ -72,13 +72,19 @@ static bool handlers(const struct livelock *l, vtime now, struct standstill *s)
     return s->share >= LEAST_HANDLERS;
 }
 
+/* Has the program come to its end by itself? Then it has come further than its last polls. */
+static bool is_over(const struct node *n)
+{
+    return n->lp.state == LP_ENDED && (n->end.how == NODE_RETURNED || n->end.how == NODE_EXITED);
+}
+
 bool standstill_of(const struct node *n, struct backtrace_lines *lines, struct standstill *s)
 {
     const struct livelock *l = livelock_of(n);
     if (!l)
         return false;
     vtime now = present(n);
-    if (polls(l, now, s))
+    if (!is_over(n) && polls(l, now, s))
         s->line = backtrace_line_of(lines, n, s->poll->places, LIVELOCK_PLACES);
     else if (handlers(l, now, s))
         s->line = backtrace_line_at(lines, n, (uintptr_t)s->handler->handler + 1);

@@ -86,6 +86,13 @@ static void looks(void)
         compute(2000);
 }
 
+/* Gives the processor away until some time has passed, and ends. */
+static void naps(void)
+{
+    for (int i = 0; i < 5000; i++)
+        flick();
+}
+
 int main(int argc, char **argv)
 {
     const char *what = argv[argc - 1];
@@ -96,6 +103,8 @@ int main(int argc, char **argv)
         served();
     else if (!strcmp(what, "looks"))
         looks();
+    else if (!strcmp(what, "naps"))
+        naps();
     else if (mynode() == 0)
         crecv(9, buf, 8);
     else if (!strcmp(what, "iprobe"))

@@ -94,7 +94,7 @@ run -n 2 --max-virtual-time 0.35 livelock flood
 check "handlers: at a limit" said "^  node 0 stands still: [0-9]+ handlers of hrecv\\(5\\)"
 
 # --- what comes to its end is not named ---
-for what in served looks; do
+for what in served looks naps; do
     run --json f.json -n 3 livelock $what
     check "$what: ends well" ended_with 0
     check "$what: is not named" eval '! said "livelock  |poll"'
