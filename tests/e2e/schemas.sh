@@ -77,7 +77,7 @@ int main(void)
 }
 END
 "$BUILD/nxcc" --stubs -g -O2 -o polls polls.c 2>err
-run -q -n 2 --json polls.json polls
+run -q -n 2 --max-virtual-time 0.3 --json polls.json polls
 valid run polls.json node.0.livelock absent.0
 for program in farm farm_node; do "$BUILD/nxcc" -host -O2 -I "$tests/host" -o $program "$tests/host/$program.c"; done
 run -q -n 2 --json host.json --host farm farm_node
