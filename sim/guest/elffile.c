@@ -9,6 +9,7 @@
 #include <unistd.h>
 #include <zlib.h>
 #include "kernel/xalloc.h"
+#include "guest/elf_functions.h"
 #include "guest/elffile.h"
 #include "nx_api/contract/costs_mark.h"
 
@@ -202,6 +203,7 @@ void elf_close(struct elf_file *f)
         return;
     if (f->fd >= 0)
         close(f->fd);
+    elf_functions_free(f->functions);
     free((void *)f->loads);
     free(f->bytes);
     free(f->path);
@@ -238,19 +240,5 @@ const Elf64_Sym *elf_defined(const struct elf_symbols *t, const char *name)
     for (size_t i = 1; i < t->count; i++)
         if (t->sym[i].st_shndx != SHN_UNDEF && strcmp(elf_name(t, &t->sym[i]), name) == 0)
             return &t->sym[i];
-    return NULL;
-}
-
-const Elf64_Sym *elf_function_at(const struct elf_file *f, uint64_t vaddr, const char **name)
-{
-    const struct elf_symbols *t = f->all.count != 0 ? &f->all : &f->dynamic;
-    for (size_t i = 1; i < t->count; i++) {
-        const Elf64_Sym *s = &t->sym[i];
-        if (ELF64_ST_TYPE(s->st_info) == STT_FUNC && s->st_shndx != SHN_UNDEF && vaddr >= s->st_value &&
-            vaddr - s->st_value < s->st_size) {
-            *name = elf_name(t, s);
-            return s;
-        }
-    }
     return NULL;
 }

@@ -22,6 +22,8 @@ struct elf_relocations {
     size_t count;
 };
 
+struct elf_functions;
+
 struct elf_file {
     char *path;
     int fd;
@@ -29,14 +31,15 @@ struct elf_file {
     size_t size;
     const Elf64_Phdr *loads; /* the PT_LOAD entries, by address; a copy */
     size_t load_count;
-    struct elf_symbols dynamic;         /* .dynsym: what relocations refer to */
-    struct elf_symbols all;             /* .symtab; empty if stripped */
-    struct elf_relocations data, calls; /* DT_RELA, DT_JMPREL */
-    uint64_t dynamic_at;                /* the address of PT_DYNAMIC */
-    bool debug;                         /* the file has line numbers */
-    bool thread_locals;                 /* the file has a segment of thread-local variables */
-    const char *costs;                  /* lines of the section of costs_mark.h, */
-    size_t costs_size;                  /* so many bytes */
+    struct elf_symbols dynamic;                /* .dynsym: what relocations refer to */
+    struct elf_symbols all;                    /* .symtab; empty if stripped */
+    struct elf_relocations data, calls;        /* DT_RELA, DT_JMPREL */
+    uint64_t dynamic_at;                       /* the address of PT_DYNAMIC */
+    bool debug;                                /* the file has line numbers */
+    bool thread_locals;                        /* the file has a segment of thread-local variables */
+    const char *costs;                         /* lines of the section of costs_mark.h, */
+    size_t costs_size;                         /* so many bytes */
+    _Atomic(struct elf_functions *) functions; /* elf_functions.h; NULL: nobody has asked yet */
 };
 
 /* Returns NULL and sets *error (malloc'd; begins with the path) if the file cannot be read or is not such
@@ -56,8 +59,6 @@ uint32_t elf_loaded_sum(const struct elf_file *f);
 const char *elf_name(const struct elf_symbols *t, const Elf64_Sym *s);
 /* The defined symbol of a name; NULL if there is none. */
 const Elf64_Sym *elf_defined(const struct elf_symbols *t, const char *name);
-/* The function whose code contains vaddr, with its name; NULL if none is known. */
-const Elf64_Sym *elf_function_at(const struct elf_file *f, uint64_t vaddr, const char **name);
 
 /* Sets *error to a malloc'd text and returns false. */
 bool elf_fail(char **error, const char *fmt, ...) __attribute__((format(printf, 2, 3)));

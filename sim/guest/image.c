@@ -17,7 +17,7 @@
 #include <string.h>
 #include <sys/mman.h>
 #include "kernel/xalloc.h"
-#include "guest/elffile.h"
+#include "guest/elf_functions.h"
 #include "guest/exports.h"
 #include "guest/image.h"
 #include "guest/layer.h"
@@ -525,9 +525,9 @@ const char *node_image_where(const struct node_image *img, size_t offset, char *
     if (s == NULL)
         snprintf(buf, size, "program+0x%llx", (unsigned long long)vaddr);
     else if (line_of(img->elf, vaddr, line, sizeof line, &library))
-        snprintf(buf, size, "%s+0x%llx (%s)", name, (unsigned long long)(vaddr - s->st_value), line);
+        snprintf(buf, size, "%.120s+0x%llx (%s)", name, (unsigned long long)(vaddr - s->st_value), line);
     else
-        snprintf(buf, size, "%s+0x%llx", name, (unsigned long long)(vaddr - s->st_value));
+        snprintf(buf, size, "%.120s+0x%llx", name, (unsigned long long)(vaddr - s->st_value));
     return buf;
 }
 

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "guest/elffile.h"
+#include "guest/elf_functions.h"
 #include "guest/source_line.h"
 #include "kernel/xalloc.h"
 

@@ -5,7 +5,7 @@
 #include <string.h>
 #include "files/virtual_time.h"
 #include "guest/debugger.h"
-#include "guest/elffile.h"
+#include "guest/elf_functions.h"
 #include "guest/image.h"
 #include "kernel/opaque.h"
 #include "guest/backtrace.h"

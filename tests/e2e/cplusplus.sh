@@ -14,7 +14,7 @@ for options in -O2 "-O3 --asan" "--races --profile"; do
 done
 "$BUILD/touchstone" run -q -n 2 program uncaught </dev/null >out 2>err
 check "an exception that nobody catches: what it says" said '^  what\(\):  uncaught$'
-check "and the line that throws" said '^  called from main.*\(cplusplus\.cc:[0-9]+\)$'
+check "and the line that throws" said '^  called from \(anonymous namespace\)::fails.*\+0x[0-9a-f]+ \(cplusplus\.cc:[0-9]+\)$'
 
 "$BUILD/nxcc" --as-mpi bin >links
 check "mpicxx compiles" bin/mpicxx -O2 -g -o ranks mpi_cplusplus.cc

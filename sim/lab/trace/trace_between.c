@@ -1,7 +1,7 @@
 /* trace_between.c - what a program did between two of its calls: see trace_model.h. */
 #include <stdlib.h>
 #include <string.h>
-#include "guest/elffile.h"
+#include "guest/elf_functions.h"
 #include "kernel/xalloc.h"
 #include "lab/trace/program_code.h"
 #include "lab/trace/trace_parts.h"
