@@ -1,7 +1,7 @@
 ! f90_openmp.f90 - OpenMP from Fortran: the module is there, a team is of one.
 ! run: -m delta -n 1
 ! compile: -fopenmp -w
-! simulator only
+! simulator only: a cluster's threads are many
 program team
     use omp_lib
     implicit none

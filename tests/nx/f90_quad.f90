@@ -1,7 +1,6 @@
 ! f90_quad.f90 - REAL(16): 33 digits of what is read, computed by libquadmath, sent and printed.
 ! run: -m delta -n 1
 ! run: -m paragon -n 3
-! simulator only
 program quad
     implicit none
     integer, parameter :: k = selected_real_kind(30)
