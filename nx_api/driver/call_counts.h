@@ -3,9 +3,9 @@
 #define DRIVER_CALL_COUNTS_H
 
 /* Looks at a program that has just been linked. A call in C, without a prototype, that has too few arguments
- * is a warning: programs of the time left out a pid that no node looks at. So is a call in Fortran with too
- * many, which does no harm. One with too few is an error: removes the program and exits with status 1. But
- * programs by which Autoconf and CMake ask whether there is a call may give it no arguments. */
+ * is a warning: programs of the time left out a pid that no node looks at. So is a call of MPI in Fortran
+ * with too many, which does no harm. Others in Fortran are errors: removes the program and exits with status
+ * 1. But programs by which Autoconf and CMake ask whether there is a call may give it no arguments. */
 void call_counts_check(const char *program);
 
 #endif
