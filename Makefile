@@ -27,6 +27,7 @@ WARN    = -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror
 CFLAGS  = -std=gnu17 $(OPT) -fno-lto $(WARN) $(SAN) $(PREFIX_MAP) -fno-omit-frame-pointer -D_GNU_SOURCE -Isim -Inx_api/sim/include -I.
 # (Only the library is there, without its headers, -dev's 138 MB: kernel/fiber.c declares the two functions.)
 BOOST    := $(notdir $(firstword $(wildcard $(addsuffix /libboost_context.so.*,/usr/lib/$(shell $(CC) -print-multiarch 2>/dev/null) /usr/lib/x86_64-linux-gnu))))
+# (Boost brings libstdc++ along, which demangles C++'s names: guest/elf_functions.c.)
 SIM_LIBS = -l:$(or $(BOOST),libboost_context.so) -l:libstdc++.so.6 -lconfig -ljansson -levent -lnettle -lzstd -ldw -lelf -lz -lm
 FOR_GDB  = -Wl,--export-dynamic-symbol=touchstone_stops # by name, also once stripped
 LIBS     = $(SIM_LIBS) -lnlopt -llapack -lpng -lwebpmux -lwebp -lcairo -lfontconfig -lopen-trace-format2

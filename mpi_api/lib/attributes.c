@@ -13,9 +13,9 @@ struct attribute {
     void *value; /* a number, as wide as an address: of little-endian machines an INTEGER, too */
 };
 
-static void *value_for_c(struct attribute *a)
+static void *value_of(struct attribute *a, bool as_number)
 {
-    return a->is_number ? (void *)&a->value : a->value;
+    return a->is_number && !as_number ? (void *)&a->value : a->value;
 }
 
 /* The functions of communicators and of datatypes differ in their first parameter only: a handle. */
@@ -81,7 +81,7 @@ static int delete_one(void *handle, struct attribute **list, int key)
     struct key *k = key_of(key);
     int code = MPI_SUCCESS;
     if (a && k && k->drop)
-        code = k->drop(handle, key, k->takes_numbers ? a->value : value_for_c(a), k->extra);
+        code = k->drop(handle, key, value_of(a, k->takes_numbers), k->extra);
     struct attribute **link = find(list, key);
     if (code || !*link)
         return code;
@@ -129,7 +129,7 @@ int attribute_get(int call, struct attribute **list, int key, void *value, int *
     struct attribute *a = *find(list, key);
     *flag = a != NULL;
     if (a)
-        memcpy(value, &(void *){value_for_c(a)}, sizeof a->value);
+        memcpy(value, &(void *){value_of(a, false)}, sizeof a->value);
     return MPI_SUCCESS;
 }
 
@@ -174,8 +174,7 @@ static int copy_from(struct attribute *a, void *from, struct attribute **to)
         made = *a, flag = true;
     else {
         made.is_number = k->takes_numbers;
-        code =
-            k->copy(from, a->key, k->extra, k->takes_numbers ? a->value : value_for_c(a), &made.value, &flag);
+        code = k->copy(from, a->key, k->extra, value_of(a, k->takes_numbers), &made.value, &flag);
     }
     if (code || !flag)
         return code;

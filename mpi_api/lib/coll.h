@@ -80,8 +80,8 @@ static inline int coll_check_apart(const struct args *a)
 {
     return SELDOM(a->buf == a->into) ? coll_fail_same(a) : MPI_SUCCESS;
 }
-/* The same for a gather or scatter. Programs of MPI-1 often have the rank's own part in its place already:
- * they go on, since that has one meaning only, unless the program has errors returned. */
+/* Fails in that way, for a gather or scatter. Programs of MPI-1 often have the rank's own part in its place
+ * already: they go on, since that has one meaning only, unless the program has errors returned. */
 int coll_fail_part(const struct args *a);
 static inline int coll_check_part(const struct args *a)
 {

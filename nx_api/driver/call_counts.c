@@ -65,7 +65,8 @@ static int compare(const void *left, const void *right)
     return order ? order : a->line != b->line ? a->line - b->line : strcmp(a->name, b->name);
 }
 
-/* What is too much, the callee does not see: programs for MPI have run with it everywhere. */
+/* Is it more than a warning? An argument too many the callee does not see, and MPI programs with such calls
+ * have run everywhere. */
 static bool is_error(const struct call *c)
 {
     bool of_mpi = strncmp(c->name, "mpi_", 4) == 0 || strncmp(c->name, "pmpi_", 5) == 0;

@@ -60,7 +60,7 @@ NO_FORMAT(modifier)
 NO_FORMAT(specifier)
 NO_FORMAT(type)
 
-/* Its logarithm of the gamma function sets a sign as C's does; a program that calls C's has that variable. */
+/* The sign that libquadmath's logarithm of the gamma function sets, too; of C's if the program calls that. */
 extern int signgam __attribute__((weak));
 int signgam;
 

@@ -127,7 +127,7 @@ $(eval $(call NODE_CODE,long32_profile/,--long32 --profile))
 
 # A simulated cache is not counted, nor is the telling of accesses, the shadow of memory, or what comes before a run.
 RUNTIMES := $(patsubst %,$(NODE)/obj/%_runtime.o,cache race asan shell)
-$(RUNTIMES): $(NODE)/obj/%_runtime.o: nx_api/nxcc/runtime/%_runtime.c nx_api/nxcc/runtime/enter.h nx_api/contract/program_image.h nx_api/contract/races.h nx_api/contract/asan.h
+$(RUNTIMES) $(NODE)/obj/cplusplus_runtime.o: $(NODE)/obj/%_runtime.o: nx_api/nxcc/runtime/%_runtime.c nx_api/nxcc/runtime/enter.h nx_api/contract/program_image.h nx_api/contract/races.h nx_api/contract/asan.h
 	@mkdir -p $(@D)
 	$(call say,CC,$<)
 	$(NODE_CC) -std=gnu17 -O2 -g $(PREFIX_MAP) $(WARN) -fPIE -c -o $@ $<
@@ -154,11 +154,9 @@ $(NODE)/libgfortran.a: $(LIBGFORTRAN)
 		--redefine-sym raise=nx_ends_by --redefine-sym kill=nx_kill $@.new
 	ar q $@.new $^ && ranlib $@.new && mv $@.new $@
 
-# C++'s library is GCC's; this goes before it.
-$(NODE)/cplusplus.o: nx_api/nxcc/runtime/cplusplus_runtime.c
-	@mkdir -p $(@D)
-	$(call say,CC,$<)
-	$(NODE_CC) -std=gnu17 -O2 -g $(PREFIX_MAP) $(WARN) -fPIE -c -o $@ $<
+# C++'s library is GCC's; this goes before it, and so is no part of libnx.a.
+$(NODE)/cplusplus.o: $(NODE)/obj/cplusplus_runtime.o
+	cp $< $@
 
 $(NODE)/runtime_long32.o: nx_api/nxcc/runtime/runtime.c nx_api/nxcc/runtime/enter.h nx_api/contract/program_image.h
 	@mkdir -p $(@D)

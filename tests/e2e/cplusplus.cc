@@ -128,8 +128,8 @@ void containers()
     std::vector<double> v(10);
     std::iota(v.begin(), v.end(), 0.5);
     std::sort(v.begin(), v.end(), std::greater<double>());
-    std::cout << v.front() << " " << sum(v) << " " << std::setprecision(12) << sum(std::vector<float>(9, 0.1f))
-              << "\n";
+    std::cout << v.front() << " " << sum(v) << " " << std::setprecision(12)
+              << sum(std::vector<float>(9, 0.1f)) << "\n";
     std::unique_ptr<shape> s(new square(3));
     std::shared_ptr<shape> t = std::make_shared<other>(), t2 = t;
     std::function<double(double)> twice = [&](double x) { return 2 * x * s->area(); };
@@ -170,7 +170,8 @@ void streams()
     } catch (const std::runtime_error &) {
         std::cout << "one locale\n";
     }
-    std::cout << std::locale("").name() << " " << std::put_time(std::localtime(new std::time_t(0)), "%Y") << "\n";
+    std::cout << std::locale("").name() << " " << std::put_time(std::localtime(new std::time_t(0)), "%Y")
+              << "\n";
 }
 
 void one_thread()

@@ -11,7 +11,8 @@ static std::vector<int> own; // each rank's
 extern "C" void largest(void *in, void *inout, int *count, MPI_Datatype *)
 {
     for (int i = 0; i < *count; i++)
-        static_cast<double *>(inout)[i] = std::max(static_cast<double *>(inout)[i], static_cast<double *>(in)[i]);
+        static_cast<double *>(inout)[i] =
+            std::max(static_cast<double *>(inout)[i], static_cast<double *>(in)[i]);
 }
 
 int main(int argc, char **argv)

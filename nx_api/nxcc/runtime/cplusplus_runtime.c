@@ -163,16 +163,16 @@ double random_entropy(const void *device)
 }
 
 /* Beginning, by a token or its text, and end. */
-#define NO_DEVICE(name, parameters, ...)                                                                     \
-    void name parameters __asm__(__VA_ARGS__);                                                               \
-    void name parameters                                                                                     \
+#define NO_DEVICE(name, symbol)                                                                              \
+    void name(void *device) __asm__(symbol);                                                                 \
+    void name(void *device)                                                                                  \
     {                                                                                                        \
         (void)device;                                                                                        \
     }
-NO_DEVICE(random_begins, (void *device),
+NO_DEVICE(random_begins,
           "_ZNSt13random_device7_M_initERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEE")
-NO_DEVICE(random_begins_by_text, (void *device), "_ZNSt13random_device7_M_initEPKcm")
-NO_DEVICE(random_ends, (void *device), "_ZNSt13random_device7_M_finiEv")
+NO_DEVICE(random_begins_by_text, "_ZNSt13random_device7_M_initEPKcm")
+NO_DEVICE(random_ends, "_ZNSt13random_device7_M_finiEv")
 
 /* --- locales: there is one --- */
 
@@ -211,7 +211,7 @@ locale_t __uselocale(locale_t to)
     return uselocale(to);
 }
 
-/* What returns an error: nothing of this is there. */
+/* System calls of the library's own, for threads and terminals: they fail. */
 long syscall(long number, ...)
 {
     (void)number;
