@@ -7,6 +7,7 @@
 #include <strings.h>
 #include "nx_api/driver/help.h"
 #include "nx_api/driver/intel.h"
+#include "nx_api/driver/places.h"
 #include "nx_api/driver/text.h"
 
 /* --- lists --- */
@@ -179,7 +180,7 @@ static bool take_own(struct arguments *a, int argc, char **argv, int *i)
         intel_links(file);
     else if ((file = file_of("--as-mpi", argc, argv, i)))
         intel_mpi_links(file);
-    else if (!a->mpi && !strcmp(option, "-lmpi"))
+    else if (!a->mpi && (!strcmp(option, "-lmpi") || places_is_mpi_library(option)))
         a->mpi_program = true;
     else if (is_one_of(option, algebra))
         a->kmath = true;

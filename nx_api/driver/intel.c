@@ -8,6 +8,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "nx_api/driver/places.h"
 #include "nx_api/driver/text.h"
 
 /* --- options --- */
@@ -187,14 +188,27 @@ _Noreturn void intel_mpi_links(const char *folder)
 /* Open MPI's and MPICH's spell them differently: -showme:compile, --showme, -show, -link_info. */
 void intel_mpi_answer(const char *option)
 {
-    static const char *const whole[] = {"show",         "showme",    "showme:command", "compile_info",
-                                        "compile-info", "link_info", "link-info",      NULL};
-    option += strspn(option, "-");
-    if (is_one_of(option, whole))
+    static const char *const whole[] = {"show",      "showme", "compile_info", "compile-info", "link_info",
+                                        "link-info", NULL};
+    const char *asked = option + strspn(option, "-");
+    if (!is_one_of(asked, whole) && strncmp(asked, "showme:", 7))
+        return;
+    struct places p = places_find();
+    if (!strcmp(asked, "showme:command"))
         puts(program_invocation_name);
-    else if (!strncmp(option, "showme:", 7))
+    else if (!strcmp(asked, "showme:compile"))
+        printf("-I%s\n", p.mpi_include);
+    else if (!strcmp(asked, "showme:link"))
+        printf("-L%s -lmpi\n", p.lib);
+    else if (!strcmp(asked, "showme:incdirs"))
+        puts(p.mpi_include);
+    else if (!strcmp(asked, "showme:libdirs"))
+        puts(p.lib);
+    else if (!strcmp(asked, "showme:libs"))
+        puts("mpi");
+    else if (!strncmp(asked, "showme:", 7))
         puts("");
     else
-        return;
+        printf("%s -I%s -L%s -lmpi\n", program_invocation_name, p.mpi_include, p.lib);
     exit(0);
 }

@@ -25,8 +25,8 @@ bool intel_is_mpi_name(void);
 bool intel_is_cplusplus_name(void);
 _Noreturn void intel_mpi_links(const char *folder);
 
-/* If the option asks which compiler and options are behind mpicc, as build systems do, answers that it is
- * mpicc itself, without any, and does not return. */
+/* If the option asks which compiler and options are behind mpicc, as build systems do (CMake's FindMPI),
+ * answers that it is mpicc itself, with the folders of MPI's headers and library, and does not return. */
 void intel_mpi_answer(const char *option);
 
 /* Called as ar860, does what that did; as as860, says why it cannot be had. Returns if called by another

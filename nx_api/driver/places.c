@@ -2,9 +2,9 @@
 #include "nx_api/driver/places.h"
 #include <errno.h>
 #include <limits.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include "nx_api/driver/text.h"
 
@@ -48,6 +48,19 @@ struct places places_find(void)
              "complete?",
              self, p.lib);
     return p;
+}
+
+bool places_is_mpi_library(const char *file)
+{
+    const char *slash = strrchr(file, '/');
+    if (!slash || strcmp(slash, "/libmpi.a"))
+        return false;
+    struct places p = places_find();
+    char *own = text("%s/libmpi.a", p.lib);
+    struct stat a, b;
+    bool same = !stat(file, &a) && !stat(own, &b) && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+    free(own);
+    return same;
 }
 
 char *places_costs(const struct places *p, const char *name)

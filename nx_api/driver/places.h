@@ -8,6 +8,7 @@
  */
 #ifndef DRIVER_PLACES_H
 #define DRIVER_PLACES_H
+#include <stdbool.h>
 
 struct places {
     char *lib;         /* count.so, runtime.o, libnx.a, libnode.so and the stand-ins for -lm, -lc, -lz */
@@ -17,6 +18,8 @@ struct places {
 };
 
 struct places places_find(void);
+/* Is that file MPI's library for simulated nodes? (CMake names it instead of -lmpi.) */
+bool places_is_mpi_library(const char *file);
 /* The whole path of a file of costs, for free(): a name without / may be one in cpu, too. */
 char *places_costs(const struct places *p, const char *name);
 

@@ -8,12 +8,19 @@ page=$tests/../../doc/mpi-programs.md
 check "nxcc makes links by the names of MPI's compilers" grep -q "^bin/mpif90 -> .*/nxcc$" links
 check "mpicc compiles" bin/mpicc -O2 -g -Wall -o mpi_nodes "$tests/mpi_nodes.c"
 asked() { bin/mpif90 "$1" >answer && [ "$(cat answer)" = "$2" ]; }
-check "build systems that ask what is behind mpif90 are told mpif90" asked -show bin/mpif90
-check "with no options" asked -showme:compile ""
+node=$(cd "$BUILD/node" && pwd)
+check "build systems that ask what is behind mpif90 are told mpif90, and MPI's folders" \
+    asked -show "bin/mpif90 -I$node/mpi_include -L$node -lmpi"
+check "compiling" asked -showme:compile "-I$node/mpi_include"
+check "and linking" asked -showme:link "-L$node -lmpi"
 "$BUILD/nxcc" -O2 -o again "$tests/mpi_nodes.c" 2>err
 check "nxcc alone says what it needs for MPI" said '^nxcc: nodes do not have .*: -lmpi links'
 check "nxcc -lmpi is the same" "$BUILD/nxcc" -O2 -g -Wall -o again "$tests/mpi_nodes.c" -lmpi
 check "and gives the same program" cmp mpi_nodes again
+check "as a build system does that gives folders and file" \
+    "$BUILD/nxcc" -O2 -g -Wall "-I$node/mpi_include" -o again "$tests/mpi_nodes.c" "$node/libmpi.a"
+run -q -m delta -n 4 again
+check "a program that runs" test "$status" = 0
 
 for n in 4 9 16; do
     run -q -m delta -n $n mpi_nodes
