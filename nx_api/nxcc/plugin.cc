@@ -19,6 +19,7 @@
 #include "base/costs.h"
 #include "counting/count.h"
 #include "language/common_sizes.h"
+#include "language/constant_addresses.h"
 #include "language/data_names.h"
 #include "counting/late_inline.h"
 #include "language/long32.h"
@@ -229,6 +230,7 @@ int plugin_init(plugin_name_args *info, plugin_gcc_version *version)
     of_thread_register(info->base_name);
     long_abi_register(info->base_name, a.long32);
     common_sizes_register(info->base_name);
+    constant_addresses_register();
     data_names_register(info->base_name);
     argument_counts_register(info->base_name);
     if (a.poll) {
