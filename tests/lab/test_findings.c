@@ -206,6 +206,25 @@ static void short_times_are_in_their_own_unit(void **state)
     free(text);
 }
 
+/* One value was 0.9967 in one column and 0.996697 in the next. */
+static void columns_have_equal_decimals(void **state)
+{
+    (void)state;
+    static const char two_sizes[] =
+        "{ \"title\": \"T\", \"about\": \"\", \"program\": \"p\", \"baseline\": \"nodes 1\","
+        "  \"axes\": { \"nodes\": [1, 2], \"scheme\": [\"a\", \"b\"] }, \"points\": ["
+        "  { \"nodes\": 1, \"scheme\": \"a\", \"failure\": null, \"time_s\": 9.5, \"wide_s\": 1.25 },"
+        "  { \"nodes\": 1, \"scheme\": \"b\", \"failure\": null, \"time_s\": 9.5, \"wide_s\": 1000 },"
+        "  { \"nodes\": 2, \"scheme\": \"a\", \"failure\": null, \"time_s\": 8.5, \"wide_s\": 2.5 },"
+        "  { \"nodes\": 2, \"scheme\": \"b\", \"failure\": null, \"time_s\": 0.25, \"wide_s\": 2000 } ] }\n";
+    char *text = page_of_results(two_sizes, "time_s", "nodes", "scheme", "");
+    says(text, "| 1 | 9.5000 | 9.5000 |\n| 2 | 8.5000 | 0.2500 |\n");
+    free(text);
+    text = page_of_results(two_sizes, "wide_s", "nodes", "scheme", ""); /* seven digits would be too many */
+    says(text, "| 1 | 1.250 | 1000 |\n| 2 | 2.500 | 2000 |\n");
+    free(text);
+}
+
 /* Of lines with one value, the page named the first as the lowest. */
 static void lines_with_one_value_win_together(void **state)
 {
@@ -255,6 +274,7 @@ int main(void)
                                        cmocka_unit_test(says_how_many_are_left_out),
                                        cmocka_unit_test(one_point_is_no_points),
                                        cmocka_unit_test(short_times_are_in_their_own_unit),
+                                       cmocka_unit_test(columns_have_equal_decimals),
                                        cmocka_unit_test(lines_with_one_value_win_together),
                                        cmocka_unit_test(message_of_a_figure_leaves_the_points)};
     return cmocka_run_group_tests_name("findings", tests, NULL, NULL);

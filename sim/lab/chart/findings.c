@@ -88,23 +88,38 @@ static int whole_digits(double v)
     return v == 0 ? 1 : (int)floor(log10(fabs(v))) + 1;
 }
 
-/* The decimals of a column: four digits for its least figure, unless its largest one would have more than
- * six; whole parts are never cut. */
-static int decimals_of(const struct page *p, size_t panel, size_t line)
+/* The range of figures' digits before the point. */
+struct range {
+    int least, most;
+};
+
+static struct range widen(struct range r, const struct page *p, size_t panel, size_t line)
 {
-    enum { DIGITS = 4, MOST_DIGITS = 6 };
-    int least = INT_MAX, most = INT_MIN;
     for (size_t x = 0; x < p->data->x.count; x++) {
         double v = chart_at(p->data, panel, line, x);
         if (isnan(v))
             continue;
         int whole = whole_digits(v);
-        least = whole < least ? whole : least;
-        most = whole > most ? whole : most;
+        r.least = whole < r.least ? whole : r.least;
+        r.most = whole > r.most ? whole : r.most;
     }
-    if (least > most)
+    return r;
+}
+
+/* The decimals of a table, whose figures are of one kind, so that equal ones read alike: four digits for its
+ * least figure. If its largest one would have more than six, each column has its own; if also a column's
+ * would, six digits for that one. Whole parts are never cut. */
+static int decimals_of(const struct page *p, size_t panel, size_t line)
+{
+    enum { DIGITS = 4, MOST_DIGITS = 6 };
+    const struct range none = {INT_MAX, INT_MIN};
+    struct range table = none, column = widen(none, p, panel, line);
+    for (size_t i = 0; i < p->data->lines.count; i++)
+        table = widen(table, p, panel, i);
+    if (column.least > column.most)
         return 0;
-    int decimals = DIGITS - least > MOST_DIGITS - most ? MOST_DIGITS - most : DIGITS - least;
+    struct range r = DIGITS - table.least <= MOST_DIGITS - table.most ? table : column;
+    int decimals = DIGITS - r.least > MOST_DIGITS - r.most ? MOST_DIGITS - r.most : DIGITS - r.least;
     return decimals > 0 ? decimals : 0;
 }
 
