@@ -168,13 +168,25 @@ static double greatest(const double *values, size_t count)
     return most;
 }
 
-/* Labels the values. Seconds that are all below 0.1 become milliseconds, or microseconds. */
+/* The figure's words without their unit. */
+static int words_alone(const char *words)
+{
+    return (int)strcspn(words, ",");
+}
+
+/* Labels the values. Seconds that are all below 0.1 become milliseconds, or microseconds; a ratio has no
+ * unit. */
 static void take_label(const struct picture *p, struct chart_data *d, size_t cells)
 {
-    const char *words = *p->y_label ? p->y_label
-                        : *p->best  ? p->best
-                        : *p->ratio ? p->figure
-                                    : words_for(p->figure);
+    const char *figure = words_for(p->figure), *words = *p->y_label ? p->y_label : figure;
+    if (!*p->y_label && *p->best) {
+        d->y_label = xasprintf("%s with the least %.*s", p->best, words_alone(figure), figure);
+        return;
+    }
+    if (!*p->y_label && *p->ratio) {
+        d->y_label = xasprintf("%.*s, ratio", words_alone(figure), figure);
+        return;
+    }
     size_t stem = strlen(words) > 3 ? strlen(words) - 1 : 0; /* without the s of ", s" */
     double most = greatest(d->drawn, cells);
     bool seconds = stem && strcmp(words + stem - 2, ", s") == 0 && !*p->best && !*p->ratio;
