@@ -106,7 +106,7 @@ static char *made_title(const struct page *p)
         name_also(&n, page_item_about(&p->items[i]));
     if (!n.count)
         for (size_t i = 0; i < p->count; i++)
-            name_also(&n, xstrdup(p->items[i].name));
+            name_also(&n, page_item_title(&p->items[i]));
     if (n.count > 2)
         title = xasprintf("%s and %zu more", n.text[0], n.count - 1);
     else if (n.count == 2)
