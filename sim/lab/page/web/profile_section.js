@@ -11,8 +11,12 @@ function profileSummary(data) {
 
 function profileSection(data, name) {
     const section = addSection(`Profile of ${baseName(data.program)}`, 'Profile: ' + baseName(name),
-        `${[data.program, ...data.arguments].join(' ')}, on ${plural(data.nodes, 'node')} of ${
-            data.machine} (${name}). Times are sums over the nodes, counted and not sampled.`, name);
+        [
+            ...commandText([data.program, ...data.arguments].join(' ')),
+            `, on ${plural(data.nodes, 'node')} of ${data.machine} (${name}). Times are sums over the nodes, `,
+            'counted and not sampled.'
+        ],
+        name);
     const functions = [...data.functions].sort((a, b) => b.seconds - a.seconds);
     const most = functions.length ? functions[0].share : 1;
     section.append(element('h3', {}, 'By function'),

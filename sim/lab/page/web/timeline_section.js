@@ -3,9 +3,9 @@
 
 function traceSections(trace, name) {
     const section = addSection(`Timeline of ${baseName(trace.program)} on ${trace.machine}`, 'Timeline: ' + baseName(name),
-        `${trace.command} (${name}): ${plural(trace.rows.length, 'node')}, ${
+        [...commandText(trace.command), ` (${name}): ${plural(trace.rows.length, 'node')}, ${
             plural(trace.pieceCount,
-                'interval')}, ${plural(trace.messageCount, 'message')} in ${roughly(Number(trace.end))}.`,
+                'interval')}, ${plural(trace.messageCount, 'message')} in ${roughly(Number(trace.end))}.`],
         name);
     if (!trace.rows.length) {
         section.append(element('p', {}, 'The trace has no node.'));
@@ -65,7 +65,7 @@ class Timeline {
         this.fillLegend();
         this.readout = element('div',
             {class: 'readout', id: this.section.id + '-readout', role: 'status', 'aria-live': 'polite'},
-            element('p', {}, 'Click a piece, or press , or . to see what it is.'));
+            element('p', {}, 'Click a piece, or press ', keys(','), ' or ', keys('.'), ' to see what it is.'));
         this.painter = new TimelinePainter(this.trace, this.canvas);
         this.canvas.timeline = this; /* for whoever drives the page */
         this.canvas.addEventListener('keydown', e => this.key(e));
