@@ -294,7 +294,7 @@ static char *machine_meant(const char *name, const char *dir)
     return meant;
 }
 
-/* The machine file of that name in the current folder, as a path; NULL: none is there. The caller frees it. */
+/* The path of the machine file of that name in the current folder; NULL: there is none. The caller frees. */
 static char *machine_here(const char *name)
 {
     char *path = xasprintf("./%s.cfg", name);
