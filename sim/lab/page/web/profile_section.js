@@ -53,14 +53,14 @@ function profileClass(kind, times) {
             'h3', {}, `${plural(times.nodes, 'node')}${kind === 'with_handlers' ? ' with handlers' : ''}`),
         facts([
             ['computing', share(times.computing_s)], ['system', share(times.system_s)],
-            ['idle', share(times.idle_s)]
+            ['waiting (idle)', share(times.idle_s)]
         ]),
         later('The system\'s time by task, and the waits by call',
             () => [facts(tasks),
                 ...figureTable('Waits',
                     [
                         {name: 'Call', text: true, get: w => w.call},
-                        {name: 'idle', get: w => picoseconds(w.idle_s)}, {name: 'waits', get: w => w.waits}
+                        {name: 'waited', get: w => picoseconds(w.idle_s)}, {name: 'waits', get: w => w.waits}
                     ],
                     times.waits)])
     ];
