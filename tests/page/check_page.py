@@ -215,9 +215,12 @@ def check_under_mouse(b, s, canvas):
     rule("timeline: the mouse shows what a node does", tip().startswith("node ") and ", " in tip(), tip())
     ActionChains(b.driver).key_down(Keys.SHIFT).move_to_element(canvas).click_and_hold().move_by_offset(200, 0) \
         .release().key_up(Keys.SHIFT).perform()
-    told = s.find_element(By.CSS_SELECTOR, ".readout").text
+    told = s.find_element(By.CSS_SELECTOR, ".readout").text.replace("\u00a0", " ")
     shares = [float(part.split()[-1]) for part in told.split(": ", 1)[1].split(" %.")[0].replace(" %", "").split(", ")]
-    rule("timeline: an interval that is chosen has its sums", "of 8 nodes: computing" in told and abs(sum(shares) - 100) < 0.5, told)
+    rule("timeline: an interval that is chosen has its sums", "of 8 nodes: computing" in told and abs(sum(shares) - 100) < 0.5 and
+         0 not in shares, told)
+    ends = re.match(r"From ([0-9.]+) \S?s to ([0-9.]+) \S?s, ", told)
+    rule("timeline: the interval's ends have few digits", ends and all(len(e) <= 8 for e in ends.groups()), told)
     before = b.run("return arguments[0].timeline.view.to - arguments[0].timeline.view.from", canvas)
     b.run("arguments[0].click()", s.find_element(By.CSS_SELECTOR, ".readout button"))
     rule("timeline: and can be looked into",

@@ -32,7 +32,7 @@ function share(part, whole) { return Number(BigInt(whole)) ? Number(BigInt(part)
 /* In a sentence; a column has equal decimals instead. */
 function percent(part, whole) {
     const value = share(part, whole);
-    return value.toFixed(value < 10 ? 2 : 1) + ' %';
+    return value.toFixed(value < 10 ? 2 : 1) + '\u00a0%';
 }
 
 function causeText(key) { return CLASS_TEXTS[key] || key.replace(/_/g, ' '); }

@@ -353,12 +353,15 @@ class Timeline {
         const all = kinds.map(() => 0n);
         for (const row of this.trace.rows)
             this.sums(row, from, to, drawn, kinds.length).forEach((sum, k) => { all[k] += sum; });
-        const whole = all.reduce((a, b) => a + b, 0n);
+        const whole = all.reduce((a, b) => a + b, 0n), span = Number(to - from);
+        const end = time => rounded(shortTime(time, span), moment(time));
         this.readout.replaceChildren(
-            element('p', {},
-                `From ${moment(from)} to ${moment(to)}, ${roughly(Number(to - from))}, of ${
-                    plural(this.trace.rows.length, 'node')}: `,
-                all.map((sum, k) => `${kinds[k].name} ${percent(sum, whole)}`).join(', '), '.'),
+            element('p', {}, 'From ', end(from), ' to ', end(to),
+                `, ${roughly(span)}, of ${plural(this.trace.rows.length, 'node')}: `,
+                all.map((sum, k) => (sum ? `${kinds[k].name} ${percent(sum, whole)}` : ''))
+                    .filter(text => text)
+                    .join(', '),
+                '.'),
             button('Zoom in on it', () => {
                 this.setRange(Number(from), Number(to));
                 this.dropSpan();
