@@ -40,7 +40,6 @@ try:
         shoot(browser, "profile-flame", 1200, high, scale=2)
     elif kind == "surfaces":
         browser.open(file)
-        browser.run("document.querySelector('.legend input').click()")
         shoot(browser, "page-surfaces", 760, 860, "Surfaces")
     else:
         show_page(browser)

@@ -113,13 +113,21 @@ static void show_option(const struct own_option *o)
     }
 }
 
+/* Ends well if what was asked for has been written. */
+static _Noreturn void end_shown(void)
+{
+    if (fflush(stdout) || ferror(stdout))
+        fail("standard output cannot be written: %s", strerror(errno));
+    exit(0);
+}
+
 void help_show(void)
 {
     fputs(USE, stdout);
     for (int i = 0; i < OPTION_COUNT; i++)
         show_option(&OPTIONS[i]);
     fputs(MORE, stdout);
-    exit(0);
+    end_shown();
 }
 
 /* A line for each name, but for those that stand for many. */
@@ -144,7 +152,7 @@ void help_describe(void)
     puts("arguments\tFILE...");
     for (int i = 0; i < OPTION_COUNT; i++)
         describe_option(&OPTIONS[i]);
-    exit(0);
+    end_shown();
 }
 
 /* The commit that the build has left beside the libraries (share/commit). */
@@ -186,7 +194,7 @@ void help_version(bool mpi)
         print_compiler(strncmp(program_invocation_short_name, "mpif", 4) == 0);
     printf("%s (touchstone) %s\ncommit %s", program_invocation_short_name, TOUCHSTONE_VERSION, commit);
     if (mpi)
-        exit(0);
+        end_shown();
     printf("for GCC %s; gcc is:\n", __VERSION__);
     fflush(stdout);
     execlp(NXCC_GCC, NXCC_GCC, "--version", (char *)NULL);

@@ -37,8 +37,15 @@ class Error(Exception):
 # --- tables ---------------------------------------------------------------------------------------------------------
 
 
+MOST_ROWS = 20  # of a table, at the prompt
+
+
+def _shown(value):
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
 class Table(list):
-    """Rows, each a dict, as a notebook shows them; what pandas.DataFrame(table) takes."""
+    """Rows, each a dict, as the prompt and a notebook show them; what pandas.DataFrame(table) takes."""
 
     @property
     def columns(self):
@@ -46,6 +53,18 @@ class Table(list):
 
     def column(self, name):
         return [row.get(name) for row in self]
+
+    def __repr__(self):
+        """As text: the columns that have room on a terminal, of the first rows."""
+        head, room = self.columns, shutil.get_terminal_size().columns
+        lines = [head] + [[_shown(row.get(c, "")) for c in head] for row in self[:MOST_ROWS]]
+        widths = [max(map(len, column)) for column in zip(*lines)]
+        count = 0
+        while count < len(head) and (not count or sum(widths[:count + 1]) + 2 * count <= room):
+            count += 1
+        text = ["  ".join(v.rjust(w) for v, w in zip(line[:count], widths)) for line in lines]
+        more = [f"{left} {what} more" for left, what in ((len(self) - MOST_ROWS, "rows"), (len(head) - count, "columns")) if left > 0]
+        return "\n".join(text + ([f"... {' and '.join(more)}"] if more else []))
 
     def _repr_html_(self):
         def line(tag, values):
@@ -159,7 +178,7 @@ def results(folder):
     """A study's points, of its folder."""
     points = pathlib.Path(folder) / "results.csv"
     if not points.is_file():
-        raise Error(f"{folder}: no folder of a study that has ended, which holds results.csv", 65)
+        raise Error(f"{folder} has no results.csv, which touchstone study writes when all points are run", 65)
     return _of_csv(points.read_text())
 
 

@@ -10,6 +10,7 @@
 #include "cli/nearest.h"
 #include "cli/options.h"
 #include "cli/other_binary.h"
+#include "cli/say.h"
 #include "config/config.h"
 
 static const struct command {
@@ -107,6 +108,7 @@ static void help_behind_command(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    cli_watch_output(argc > 1 ? argv[1] : "");
     signal(SIGXFSZ, SIG_IGN); /* then writing a file that may not grow fails, and is reported as an error */
     const char *engine = getenv("TOUCHSTONE_ENGINE"), *slash = argc > 0 ? strrchr(argv[0], '/') : NULL;
     if (engine && cli_is_other_engine(engine))

@@ -12,7 +12,8 @@
 #include "kernel/vtime.h"
 
 enum {
-    CLI_EXIT_INPUT = 65, /* a command's exit status: its input cannot be used */
+    CLI_EXIT_INPUT = 65,  /* a command's exit status: its input cannot be used */
+    CLI_EXIT_OUTPUT = 74, /* standard output or a result cannot be written */
 
     /* keys of options without a short form */
     CLI_KEY = 0x100,        /* from here on: the command's parser handles the option */

@@ -34,7 +34,7 @@
 #include "observe/race_suppress.h"
 #include "timing/plan_read.h"
 
-enum { EXIT_FINDINGS = 3, EXIT_OUTPUT = 74 };
+enum { EXIT_FINDINGS = 3 };
 
 enum { SLICE = CLI_KEY, SHUFFLE, TRACE_FROM, TRACE_TO, TRACE_NODES, GDB, AT, LAYER, UNRECEIVED };
 enum { MOST_UNRECEIVED_MB = 1 << 20 };
@@ -245,7 +245,7 @@ static int input_error(char *error)
 static int output_error(char *error)
 {
     input_error(error);
-    return EXIT_OUTPUT;
+    return CLI_EXIT_OUTPUT;
 }
 
 static char *cannot_write(const char *path)

@@ -2,10 +2,12 @@
 #include "cli/say.h"
 #include <stdarg.h>
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "cli/options.h"
 #include "files/ink.h"
 #include "kernel/xalloc.h"
 
@@ -79,4 +81,15 @@ int cli_failed(const char *command, char *error, int status)
     cli_say_error(command, "%s", error);
     free(error);
     return status;
+}
+
+static void check_output(int status, void *command)
+{
+    if (!status && (fflush(stdout) || ferror(stdout)))
+        _exit(cli_failed(command, xasprintf("standard output cannot be written: %m"), CLI_EXIT_OUTPUT));
+}
+
+void cli_watch_output(const char *command)
+{
+    on_exit(check_output, (char *)(uintptr_t)command);
 }

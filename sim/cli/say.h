@@ -13,4 +13,7 @@ void cli_say_doing(const char *what, const char *object);
 void cli_say_done(void);
 /* Says the error, frees it, and returns the status. */
 int cli_failed(const char *command, char *error, int status);
+/* From now on, a process of the command that ends well (also behind --help and --version, which argp ends)
+ * fails with CLI_EXIT_OUTPUT and says so if what it has printed found no room. */
+void cli_watch_output(const char *command);
 #endif

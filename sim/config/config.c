@@ -149,7 +149,8 @@ static bool read_cpu(struct cfg_reader *r, config_setting_t *node, struct cfg_ma
     int dir = slash && cpu[0] != '/' ? (int)(slash - r->path) + 1 : 0;
     m->cpu = xasprintf("%.*s%s", dir, r->path, cpu);
     return access(m->cpu, R_OK) == 0 ||
-           cfg_fail(r, config_setting_get_member(node, "cpu"), "cpu", "%s cannot be read: %m", m->cpu);
+           cfg_fail(r, config_setting_get_member(node, "cpu"), "cpu", "%s cannot be read: %m%s", m->cpu,
+                    cpu[0] == '/' ? "" : " (a path from the machine file's folder)");
 }
 
 /* Reads the clock of the fast nodes: both keys, or none. */
@@ -293,10 +294,20 @@ static char *machine_meant(const char *name, const char *dir)
     return meant;
 }
 
+/* The path of the machine file of that name in the current folder; NULL: there is none. The caller frees. */
+static char *machine_here(const char *name)
+{
+    char *path = xasprintf("./%s.cfg", name);
+    if (access(path, F_OK) == 0)
+        return path;
+    free(path);
+    return NULL;
+}
+
 /* "no machine "x" ...; did you mean ipsc860? There are: delta, ipsc860" */
 static char *no_such_machine(const char *name, const char *dir)
 {
-    char *meant = machine_meant(name, dir);
+    char *here = machine_here(name), *meant = here ? here : machine_meant(name, dir);
     char *list = NULL;
     size_t size;
     FILE *out = xchecked(open_memstream(&list, &size));

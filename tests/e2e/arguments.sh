@@ -73,6 +73,9 @@ wrong "a program that is not there" 65 'nowhere' run nowhere
 wrong "a program of the host" 65 'nxcc' run /bin/true
 wrong "a setting that is none" 64 "KEY=VALUE.*not 'interrupt'" run --set interrupt ring
 wrong "a setting of an unknown key" 65 'did you mean interrupt_us\? Known here: ' run --set system.interupt_us=1 ring
+cp "$tests/../../machines/delta.cfg" mine.cfg
+wrong "a machine file here, without its ending" 65 'no machine "mine".*did you mean \./mine\.cfg\?' run -m mine ring
+wrong "its processor's file is not beside it" 65 'mine.cfg:[0-9]+: cpu: ./cpu/i860.cfg cannot be read: .*\(a path from the machine file.s folder\)' run -m ./mine.cfg ring
 wrong "a machine that is not there" 65 'no machine "detla".*delta, ipsc860' run -m detla ring
 wrong "more nodes than the machine has" 65 '529 nodes.*16 x 33' run -n 529 ring
 wrong "more nodes than the hypercube has" 65 '129 nodes' run -m ipsc860 -n 129 ring

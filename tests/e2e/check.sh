@@ -63,7 +63,7 @@ gate b.json --only messages halves.cfg
 check "what else is worse does not count then" ended_with 0
 gate b.json --only total halves.cfg
 check "a figure that no point has is an error" ended_with 2
-check "which is named" said '--only total: no point has a figure of that name; there are .*(, |are )total_s'
+check "which is named" said '--only total: no point has a figure of that name; did you mean total_s\? There are .*(, |are )total_s'
 gate b.json --only total_s --github halves.cfg
 sed -n 's/^::error.*(+\([0-9.]*\) %25.*/\1/p' out >changes
 check "the worst annotation first, too: GitHub shows ten" test "$(wc -l <changes)" = 2 -a "$(cat changes)" = "$(sort -rn changes)"
@@ -82,7 +82,7 @@ gate b.json --tolerance 90% --tolerance total_s=0 halves.cfg
 check "a figure's own tolerance holds for it" ended_with 1
 gate b.json --tolerance totals_s=1% halves.cfg
 check "a tolerance for no figure is an error" ended_with 2
-check "that names it" said '--tolerance totals_s: no point has a figure of that name'
+check "that names it" said '--tolerance totals_s: no point has a figure of that name; did you mean total_s\? There are '
 check "the baseline is as it was" cmp b.json kept.json
 
 sed -i 's/short_send_us=70/short_send_us=10/' halves.cfg

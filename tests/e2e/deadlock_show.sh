@@ -21,6 +21,7 @@ for file in why.json run.json; do
     check "$file: the picture is an SVG" xmllint --noout g.svg
     check "$file: the other is a PNG" eval "head -c 8 g.png | cmp - <(printf '\\211PNG\\r\\n\\032\\n')"
     show $file -o g.html
+    check "$file: the page is called by its program" grep -qE '<h1>(Deadlock of deadlock|deadlock on 4 nodes of delta)</h1>' g.html
     check "$file: the page is one" eval "head -c 15 g.html | grep -qi '<!doctype html>'"
 done
 if command -v chromium >/dev/null && command -v chromedriver >/dev/null && /usr/bin/python3 -c 'import selenium' 2>/dev/null; then

@@ -176,8 +176,16 @@ check "--json PIPE: it stays" test -p pipe
 run -q -n 2 --json /dev/full ring
 check "--json to a full device: said" said '/dev/full cannot be written: No space left'
 check "--json to a full device: status 74" ended_with 74
-full() { "$BUILD/touchstone" machines >/dev/full 2>err; [ $? = 74 ] && grep -q 'standard output cannot be written: No space left' err; }
-check "text to a full device: said, by commands that only print, too" full
+full() { "$BUILD/touchstone" "$@" >/dev/full 2>err; [ $? = 74 ] && grep -q 'standard output cannot be written: No space left' err; }
+check "text to a full device: said, by commands that only print, too" full machines
+for asked in --help --version --machines help 'run --help' 'run --usage' 'study --help' 'help trace show' 'getcube --version'; do
+    # shellcheck disable=SC2086
+    check "text to a full device: said by $asked" full $asked
+done
+"$BUILD/nxcc" --help >/dev/full 2>err
+status=$?
+check "text to a full device: nxcc fails" ended_with 1
+check "text to a full device: said by nxcc --help" said '^nxcc: standard output cannot be written: No space left'
 ln -s endless_link endless_link
 run -q -n 2 endless_link
 check "a program that nobody can tell of: said why" said 'endless_link: Too many levels of symbolic links'

@@ -64,6 +64,7 @@ static char *script_of(struct picture p)
         json_object_set_new(point, "speedup",
                             json_real(0.8 * json_number_value(json_object_get(point, "nodes"))));
         json_object_set_new(point, "speed_per_node", json_real(0.8));
+        json_object_set_new(point, "host_idle_pct", json_real(30));
         json_object_set_new(point, "bytes",
                             json_real(1.2e6 * json_number_value(json_object_get(point, "nodes"))));
     }
@@ -182,6 +183,33 @@ static void choices_are_points_side_by_side(void **state)
     p.log_y = false;
     script = script_of(p);
     assert_null(strstr(script, "with lines "));
+    free(script);
+}
+
+/* A picture of a ratio said "total_s" at its axis, one of best values only whose, and a program's figures had
+ * their keys. */
+static void axes_have_words(void **state)
+{
+    (void)state;
+    struct picture p = TIME;
+    p.panels = "";
+    p.ratio = "panel";
+    char *script = script_of(p);
+    says(script, "set ylabel 'time, ratio'");
+    free(script);
+    p.figure = "speedup";
+    script = script_of(p);
+    assert_null(strstr(script, "title 'ideal'")); /* of a ratio there is none */
+    free(script);
+    p = TIME;
+    p.best = "group";
+    script = script_of(p);
+    says(script, "set ylabel 'group with the least time'");
+    free(script);
+    p = TIME;
+    p.figure = "host_idle_pct";
+    script = script_of(p);
+    says(script, "set ylabel 'host idle, %'");
     free(script);
 }
 
@@ -370,6 +398,7 @@ int main(void)
         cmocka_unit_test(panels_have_the_same_range_and_scale),
         cmocka_unit_test(ranges_of_their_own_have_one_scale),
         cmocka_unit_test(choices_are_points_side_by_side),
+        cmocka_unit_test(axes_have_words),
         cmocka_unit_test(speeds_have_their_ideal),
         cmocka_unit_test(one_line_needs_no_name),
         cmocka_unit_test(wide_numbers_leave_room_for_the_name),

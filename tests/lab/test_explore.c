@@ -588,6 +588,22 @@ static void the_first_difference_is_found(void **state)
     recording_free(b);
 }
 
+static void a_handler_behind_another_call_is_told(void **state)
+{
+    (void)state;
+    char one[] = "touchstone-schedule 1\nnodes 2\nhandler 1 0 6 at=2000000 line=a.c:4\n";
+    char other[] = "touchstone-schedule 1\nnodes 2\nhandler 1 0 0 at=1500000 line=a.c:4\n";
+    struct recording *a = read_text(one), *b = read_text(other);
+    struct divergence d = divergence_first(a, b);
+    char *words = divergence_words(&d, a, b);
+    assert_string_equal(words,
+                        "at 1.5 us the 1st handler of node 1 (a.c:4) ran before the program's first call; in "
+                        "the usual timing in or behind the program's 6th call");
+    free(words);
+    recording_free(a);
+    recording_free(b);
+}
+
 static void a_handler_at_another_moment_is_told(void **state)
 {
     (void)state;
@@ -690,6 +706,7 @@ int main(void)
         cmocka_unit_test(two_of_a_thousand_are_found_by_few_tests),
         cmocka_unit_test(runs_are_the_same_by_what_counts),
         cmocka_unit_test(the_first_difference_is_found),
+        cmocka_unit_test(a_handler_behind_another_call_is_told),
         cmocka_unit_test(a_handler_at_another_moment_is_told),
         cmocka_unit_test(schedules_are_read_as_they_are_written),
         cmocka_unit_test(what_is_wrong_in_a_schedule_is_named),

@@ -102,10 +102,10 @@ static void table_and_least(void **state)
     says(text, "![title](pic.png)");
     says(text, "| 4 | 3.900 | 3.000 |");
     says(text, "| 8 | 6.000 | - |");
-    says(text, "- scheme a: 8.000 to 6.000 from nodes 1 to 8, 25 % less; least, 3.900, at nodes 4; within "
+    says(text, "- scheme a: 8.000 to 6.000 from 1 to 8 nodes, 25 % less; least, 3.900, at 4 nodes; within "
                "a tenth of it from 2 to 4.");
-    says(text, "- scheme b: 8.000 to 3.000 from nodes 1 to 4, 2.67 times faster; least, 3.000, at nodes 4.");
-    says(text, "- The lowest line: scheme a at nodes 2; scheme b at nodes 4.");
+    says(text, "- scheme b: 8.000 to 3.000 from 1 to 4 nodes, 2.67 times faster; least, 3.000, at 4 nodes.");
+    says(text, "- The lowest line: scheme a at 2 nodes; scheme b at 4 nodes.");
     free(text);
 }
 
@@ -113,9 +113,9 @@ static void speeds_are_best_when_high(void **state)
 {
     (void)state;
     char *text = page("speedup", "");
-    says(text, "- scheme b: 1.000 to 2.700 from nodes 1 to 4, 2.70 times higher; most, 2.700, at nodes 4.");
+    says(text, "- scheme b: 1.000 to 2.700 from 1 to 4 nodes, 2.70 times higher; most, 2.700, at 4 nodes.");
     says(text, "In the table: speed-up; baseline: nodes 1, scheme a.");
-    says(text, "- The highest line: scheme a at nodes 2; scheme b at nodes 4.");
+    says(text, "- The highest line: scheme a at 2 nodes; scheme b at 4 nodes.");
     free(text);
 }
 
@@ -123,7 +123,7 @@ static void best_value_of_an_axis(void **state)
 {
     (void)state;
     char *text = page("time_s", "scheme");
-    says(text, "In the table: scheme with the least time_s.");
+    says(text, "In the table: scheme with the least time.");
     says(text, "| 2 | a |");
     says(text, "| 4 | b |");
     free(text);
@@ -134,16 +134,16 @@ static void factors_are_said_in_words(void **state)
 {
     (void)state;
     char *text = page("total_s", "");
-    says(text, "1000.00 to 7.02 from nodes 1 to 2, 142 times faster;");
+    says(text, "1000.00 to 7.02 from 1 to 2 nodes, 142 times faster;");
     assert_null(strstr(text, "(x "));
     free(text);
     text = page("wait_s", "");
-    says(text, "7.02 to 1000.00 from nodes 1 to 2, 142 times higher;");
+    says(text, "7.02 to 1000.00 from 1 to 2 nodes, 142 times higher;");
     says(text, "- scheme b: 5.000 at all points.\n"); /* "least, 5.000, at nodes 1" says nothing */
     free(text);
     text = page("call_time_s", "");
-    says(text, "2.000 to 24.500 from nodes 1 to 2, 12.2 times slower;");
-    says(text, "4.000 to 5.000 from nodes 1 to 2, 25 % more;");
+    says(text, "2.000 to 24.500 from 1 to 2 nodes, 12.2 times slower;");
+    says(text, "4.000 to 5.000 from 1 to 2 nodes, 25 % more;");
     free(text);
 }
 
@@ -152,7 +152,7 @@ static void names_have_no_first_and_last(void **state)
 {
     (void)state;
     char *text = page_of("time_s", "scheme", "nodes", "");
-    says(text, "- nodes 2: least, 4.000, at scheme a.\n");
+    says(text, "- 2 nodes: least, 4.000, at scheme a.\n");
     assert_null(strstr(text, "from scheme"));
     free(text);
 }
@@ -206,6 +206,25 @@ static void short_times_are_in_their_own_unit(void **state)
     free(text);
 }
 
+/* One value was 0.9967 in one column and 0.996697 in the next. */
+static void columns_have_equal_decimals(void **state)
+{
+    (void)state;
+    static const char two_sizes[] =
+        "{ \"title\": \"T\", \"about\": \"\", \"program\": \"p\", \"baseline\": \"nodes 1\","
+        "  \"axes\": { \"nodes\": [1, 2], \"scheme\": [\"a\", \"b\"] }, \"points\": ["
+        "  { \"nodes\": 1, \"scheme\": \"a\", \"failure\": null, \"time_s\": 9.5, \"wide_s\": 1.25 },"
+        "  { \"nodes\": 1, \"scheme\": \"b\", \"failure\": null, \"time_s\": 9.5, \"wide_s\": 1000 },"
+        "  { \"nodes\": 2, \"scheme\": \"a\", \"failure\": null, \"time_s\": 8.5, \"wide_s\": 2.5 },"
+        "  { \"nodes\": 2, \"scheme\": \"b\", \"failure\": null, \"time_s\": 0.25, \"wide_s\": 2000 } ] }\n";
+    char *text = page_of_results(two_sizes, "time_s", "nodes", "scheme", "");
+    says(text, "| 1 | 9.5000 | 9.5000 |\n| 2 | 8.5000 | 0.2500 |\n");
+    free(text);
+    text = page_of_results(two_sizes, "wide_s", "nodes", "scheme", ""); /* seven digits would be too many */
+    says(text, "| 1 | 1.250 | 1000 |\n| 2 | 2.500 | 2000 |\n");
+    free(text);
+}
+
 /* Of lines with one value, the page named the first as the lowest. */
 static void lines_with_one_value_win_together(void **state)
 {
@@ -220,7 +239,7 @@ static void lines_with_one_value_win_together(void **state)
         "  { \"nodes\": 2, \"scheme\": \"b\", \"failure\": null, \"time_s\": 5.0 },"
         "  { \"nodes\": 2, \"scheme\": \"c\", \"failure\": null, \"time_s\": 6.0 } ] }\n";
     char *text = page_of_results(ties, "time_s", "nodes", "scheme", "");
-    says(text, "- The lowest line: scheme a and b at nodes 1; scheme a at nodes 2.\n");
+    says(text, "- The lowest line: scheme a and b at 1 node; scheme a at 2 nodes.\n");
     free(text);
 }
 
@@ -234,9 +253,11 @@ static void message_of_a_figure_leaves_the_points(void **state)
     read_results(RESULTS, dir, &points);
     rmdir(dir);
     char *before = json_dumps(points.header, 0), *text = record_no_figure(&points, "x_s");
-    char *after = json_dumps(points.header, 0);
+    char *after = json_dumps(points.header, 0), *misspelt = record_no_figure(&points, "speedpu");
     assert_string_equal(
         text, "no point has a figure x_s; there are: total_s, wait_s, call_time_s, time_s, speedup");
+    says(misspelt, "no point has a figure speedpu; did you mean speedup? There are: total_s, ");
+    free(misspelt);
     assert_non_null(after);
     assert_string_equal(before, after);
     free(before);
@@ -255,6 +276,7 @@ int main(void)
                                        cmocka_unit_test(says_how_many_are_left_out),
                                        cmocka_unit_test(one_point_is_no_points),
                                        cmocka_unit_test(short_times_are_in_their_own_unit),
+                                       cmocka_unit_test(columns_have_equal_decimals),
                                        cmocka_unit_test(lines_with_one_value_win_together),
                                        cmocka_unit_test(message_of_a_figure_leaves_the_points)};
     return cmocka_run_group_tests_name("findings", tests, NULL, NULL);

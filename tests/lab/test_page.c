@@ -186,24 +186,30 @@ static void a_page_is_written_as_often_as_asked(void **state)
 static void its_title_says_what_it_is_about(void **state)
 {
     (void)state;
-    struct trace trace = late_trace(), other = late_trace();
-    trace.program = other.program = "/tmp/ring", trace.machine = "delta", other.machine = "paragon";
+    struct trace trace = late_trace(), other = late_trace(), third = late_trace();
+    trace.program = other.program = third.program = "/tmp/ring";
+    trace.machine = "delta", other.machine = "paragon", third.machine = "ipsc860";
     struct page *p = page_new();
-    char *page[3];
+    char *page[4];
     page_add_trace(p, "a", &trace);
     write_page(p, NULL, &page[0]);
     page_add_trace(p, "b", &trace);
     write_page(p, NULL, &page[1]);
     page_add_trace(p, "c", &other);
     write_page(p, NULL, &page[2]);
+    page_add_trace(p, "d", &third);
+    page_add_trace(p, "e", &third);
+    write_page(p, NULL, &page[3]);
     assert_non_null(strstr(page[0], "<h1>ring on 2 nodes of delta</h1>"));
     assert_non_null(strstr(page[1], "<h1>ring on 2 nodes of delta</h1>"));
-    assert_non_null(strstr(page[2], "<h1>ring on 2 nodes of delta and 1 more</h1>"));
-    for (int i = 0; i < 3; i++)
+    assert_non_null(strstr(page[2], "<h1>ring on 2 nodes of delta and ring on 2 nodes of paragon</h1>"));
+    assert_non_null(strstr(page[3], "<h1>ring on 2 nodes of delta and 2 more</h1>"));
+    for (int i = 0; i < 4; i++)
         free(page[i]);
     page_free(p);
     free_made(&trace);
     free_made(&other);
+    free_made(&third);
 }
 
 static uint64_t square(const void *of, size_t i)

@@ -102,8 +102,11 @@ def check_study(b):
         return label""")
     rule("study: the greatest time decides, not the end of its axis", label == "time, ms", label)
     named = b.run("return ['time_s', 'idle_pct', 'nodes_of_done_groups', 'memory_peak_bytes', 'speedup'].map(figureWords)")
-    rule("study: figures have names for people", named == ["time, s", "idle, %", "nodes of done groups", "memory peak, bytes", "speedup"] and
+    rule("study: figures have names for people", named == ["time, s", "idle, %", "nodes of done groups", "memory peak, bytes", "speed-up"] and
          "time against nodes" in s.text, named)
+    ideal = b.run("""const of = y => idealSeries({axes: {nodes: [2, 8, 4]}}, {x: 'nodes', y}).map(s => s.points.map(p => [p.x, p.y]));
+        return [of('speedup'), of('speed_per_node'), of('time_s')]""")
+    rule("study: speeds have the ideal line beside them", ideal == [[[[2, 2], [8, 8]]], [[[2, 1], [8, 1]]], []], ideal)
     chart = s.find_element(By.CSS_SELECTOR, "figure svg")
     b.run("arguments[0].focus()", chart)
     chart.send_keys(Keys.ARROW_RIGHT)
@@ -141,6 +144,11 @@ def check_run(b):
 
 def check_timeline(b):
     s = section(b, "Timeline")
+    words = b.run("return [...arguments[0].querySelectorAll('.about .word')].map(e => e.textContent)", s)
+    rule("timeline: a command breaks between its words, not in an option", words[0].endswith("touchstone") and "-m" in words and
+         "--trace" in words, words)
+    shares = b.run("return [482, 7, 0].map(v => timeColumns(1000, 1, 'the run')[1].show(v))")
+    rule("why: a column's shares have equal decimals", shares == ["48.20 %", "0.70 %", "0.00 %"], shares)
     canvas = s.find_element(By.TAG_NAME, "canvas")
     show(b, canvas)
     begin, end = s.find_elements(By.CSS_SELECTOR, ".controls input[type=text]")[:2]
@@ -207,9 +215,12 @@ def check_under_mouse(b, s, canvas):
     rule("timeline: the mouse shows what a node does", tip().startswith("node ") and ", " in tip(), tip())
     ActionChains(b.driver).key_down(Keys.SHIFT).move_to_element(canvas).click_and_hold().move_by_offset(200, 0) \
         .release().key_up(Keys.SHIFT).perform()
-    told = s.find_element(By.CSS_SELECTOR, ".readout").text
+    told = s.find_element(By.CSS_SELECTOR, ".readout").text.replace("\u00a0", " ")
     shares = [float(part.split()[-1]) for part in told.split(": ", 1)[1].split(" %.")[0].replace(" %", "").split(", ")]
-    rule("timeline: an interval that is chosen has its sums", "of 8 nodes: computing" in told and abs(sum(shares) - 100) < 0.5, told)
+    rule("timeline: an interval that is chosen has its sums", "of 8 nodes: computing" in told and abs(sum(shares) - 100) < 0.5 and
+         0 not in shares, told)
+    ends = re.match(r"From ([0-9.]+) \S?s to ([0-9.]+) \S?s, ", told)
+    rule("timeline: the interval's ends have few digits", ends and all(len(e) <= 8 for e in ends.groups()), told)
     before = b.run("return arguments[0].timeline.view.to - arguments[0].timeline.view.from", canvas)
     b.run("arguments[0].click()", s.find_element(By.CSS_SELECTOR, ".readout button"))
     rule("timeline: and can be looked into",
@@ -341,6 +352,17 @@ def check_surfaces(b):
     parts = [v / w for v, w in zip(mean_tone(picture()), mean_tone(first))]
     b.run(light, canvas, 2)
     rule("surfaces: half the light makes half the sRGB numbers", all(0.45 < part < 0.55 for part in parts), parts)
+    flip = "for (const m of arguments[0].view.meshes) { const n = m.geometry.attributes.normal; n.array.forEach((v, i, all) => { all[i] = -v; }); n.needsUpdate = true; } arguments[0].view.draw()"
+    b.run(flip, canvas)
+    parts = [v / w for v, w in zip(mean_tone(picture()), mean_tone(first))]
+    b.run(flip, canvas)
+    rule("surfaces: normals may point to either side", all(0.99 < part < 1.01 for part in parts), parts)
+    toggle = "arguments[0].querySelector('.plot ~ ul button').click()"
+    b.run("arguments[0].querySelector('.plot ~ ul input').click()", s)
+    clear = picture()
+    b.run(toggle, s), b.run(toggle, s)
+    rule("surfaces: one that is hidden and shown again looks as before", picture() == clear)
+    b.run("arguments[0].querySelector('.plot ~ ul input').click()", s)
     outside = b.run("""const {view} = arguments[0], box = new THREE.Box3(), out = [];
         view.meshes.forEach(m => box.expandByObject(m));
         for (const x of [box.min.x, box.max.x]) for (const y of [box.min.y, box.max.y]) for (const z of [box.min.z, box.max.z]) {
@@ -362,7 +384,7 @@ def check_surfaces(b):
     b.run(see_through, s)
     ground, whole = sum(before[:3]), sum(mean_tone(before))
     rule("surfaces: one that is seen through is nearer to the ground's tone",
-         abs(sum(mean_tone(clear)) - ground) < 0.8 * abs(whole - ground), (ground, whole, mean_tone(clear)))
+         abs(sum(mean_tone(clear)) - ground) < 0.97 * abs(whole - ground), (ground, whole, mean_tone(clear)))
     rule("surfaces: and is whole again", picture() == before)
     b.run("const c = arguments[0].querySelector('select'); c.value = 'node'; c.dispatchEvent(new Event('change'))", s)
     rule("surfaces: coloured by node", picture() != before)

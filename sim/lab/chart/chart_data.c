@@ -145,8 +145,30 @@ static json_t *fix_rest(const struct record_points *points, const struct picture
 
 /* --- what the values are -------------------------------------------------------------------------------- */
 
-/* What a figure is called where the picture does not say so. */
-static const char *words_for(const char *figure)
+/* The unit that a figure's name ends in, as people write it; NULL: it ends in none. */
+static const char *unit_of(const char *ending)
+{
+    static const char *const UNITS[][2] = {{"_s", "s"},   {"_ms", "ms"}, {"_us", "us"},
+                                           {"_ps", "ps"}, {"_pct", "%"}, {"_bytes", "bytes"}};
+    for (size_t i = 0; i < sizeof UNITS / sizeof *UNITS; i++)
+        if (strcmp(ending, UNITS[i][0]) == 0)
+            return UNITS[i][1];
+    return NULL;
+}
+
+/* "host idle, %" of host_idle_pct; malloc'd. As in page/web/study_section.js. */
+static char *words_of_name(const char *figure)
+{
+    const char *last = strrchr(figure, '_'), *unit = last && last > figure ? unit_of(last) : NULL;
+    char *words = unit ? xasprintf("%.*s, %s", (int)(last - figure), figure, unit) : xstrdup(figure);
+    for (char *c = words; *c; c++)
+        if (*c == '_')
+            *c = ' ';
+    return words;
+}
+
+/* What a figure is called where the picture does not say so; malloc'd. */
+static char *words_for(const char *figure)
 {
     static const char *const WORDS[][2] = {{"time_s", "time, s"},
                                            {"total_s", "total time, s"},
@@ -156,8 +178,8 @@ static const char *words_for(const char *figure)
                                            {"speed_per_node", "speed-up / nodes"}};
     for (size_t i = 0; i < sizeof WORDS / sizeof *WORDS; i++)
         if (strcmp(figure, WORDS[i][0]) == 0)
-            return WORDS[i][1];
-    return figure;
+            return xstrdup(WORDS[i][1]);
+    return words_of_name(figure);
 }
 
 static double greatest(const double *values, size_t count)
@@ -168,22 +190,37 @@ static double greatest(const double *values, size_t count)
     return most;
 }
 
+/* The figure's words without their unit. */
+static int words_alone(const char *words)
+{
+    return (int)strcspn(words, ",");
+}
+
+/* What the values are called; malloc'd. A ratio has no unit. */
+static char *label_of(const struct picture *p)
+{
+    char *words = *p->y_label ? xstrdup(p->y_label) : words_for(p->figure), *label;
+    if (*p->y_label || (!*p->best && !*p->ratio))
+        return words;
+    label = *p->best ? xasprintf("%s with the least %.*s", p->best, words_alone(words), words)
+                     : xasprintf("%.*s, ratio", words_alone(words), words);
+    free(words);
+    return label;
+}
+
 /* Labels the values. Seconds that are all below 0.1 become milliseconds, or microseconds. */
 static void take_label(const struct picture *p, struct chart_data *d, size_t cells)
 {
-    const char *words = *p->y_label ? p->y_label
-                        : *p->best  ? p->best
-                        : *p->ratio ? p->figure
-                                    : words_for(p->figure);
+    char *words = label_of(p);
     size_t stem = strlen(words) > 3 ? strlen(words) - 1 : 0; /* without the s of ", s" */
     double most = greatest(d->drawn, cells);
     bool seconds = stem && strcmp(words + stem - 2, ", s") == 0 && !*p->best && !*p->ratio;
-    if (!seconds || most >= 0.1 || !(most > 0)) {
-        d->y_label = xstrdup(words);
+    d->y_label = words;
+    if (!seconds || most >= 0.1 || !(most > 0))
         return;
-    }
     bool micro = most < 1e-3;
     d->y_label = xasprintf("%.*s%s", (int)stem, words, micro ? "us" : "ms");
+    free(words);
     for (size_t i = 0; i < cells; i++)
         d->drawn[i] *= micro ? 1e6 : 1e3;
 }

@@ -397,7 +397,7 @@ static void write_page(const struct script *s, bool svg, const char *dir)
 /* Ideal speeds are known where nodes are the x axis. */
 static const char *ideal_of(const struct picture *p)
 {
-    if (*p->best || strcmp(p->x, "nodes") != 0)
+    if (*p->best || *p->ratio || strcmp(p->x, "nodes") != 0)
         return NULL;
     return strcmp(p->figure, "speedup") == 0 ? "x" : strcmp(p->figure, "speed_per_node") == 0 ? "1" : NULL;
 }

@@ -7,6 +7,7 @@
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
 #include "lab/chart/chart_data.h"
+#include "lab/jobs/words.h"
 
 #include <ctype.h>
 #include <limits.h>
@@ -88,23 +89,38 @@ static int whole_digits(double v)
     return v == 0 ? 1 : (int)floor(log10(fabs(v))) + 1;
 }
 
-/* The decimals of a column: four digits for its least figure, unless its largest one would have more than
- * six; whole parts are never cut. */
-static int decimals_of(const struct page *p, size_t panel, size_t line)
+/* The range of figures' digits before the point. */
+struct range {
+    int least, most;
+};
+
+static struct range widen(struct range r, const struct page *p, size_t panel, size_t line)
 {
-    enum { DIGITS = 4, MOST_DIGITS = 6 };
-    int least = INT_MAX, most = INT_MIN;
     for (size_t x = 0; x < p->data->x.count; x++) {
         double v = chart_at(p->data, panel, line, x);
         if (isnan(v))
             continue;
         int whole = whole_digits(v);
-        least = whole < least ? whole : least;
-        most = whole > most ? whole : most;
+        r.least = whole < r.least ? whole : r.least;
+        r.most = whole > r.most ? whole : r.most;
     }
-    if (least > most)
+    return r;
+}
+
+/* The decimals of a table, whose figures are of one kind, so that equal ones read alike: four digits for its
+ * least figure. If its largest one would have more than six, each column has its own; if also a column's
+ * would, six digits for that one. Whole parts are never cut. */
+static int decimals_of(const struct page *p, size_t panel, size_t line)
+{
+    enum { DIGITS = 4, MOST_DIGITS = 6 };
+    const struct range none = {INT_MAX, INT_MIN};
+    struct range table = none, column = widen(none, p, panel, line);
+    for (size_t i = 0; i < p->data->lines.count; i++)
+        table = widen(table, p, panel, i);
+    if (column.least > column.most)
         return 0;
-    int decimals = DIGITS - least > MOST_DIGITS - most ? MOST_DIGITS - most : DIGITS - least;
+    struct range r = DIGITS - table.least <= MOST_DIGITS - table.most ? table : column;
+    int decimals = DIGITS - r.least > MOST_DIGITS - r.most ? MOST_DIGITS - r.most : DIGITS - r.least;
     return decimals > 0 ? decimals : 0;
 }
 
@@ -136,13 +152,31 @@ static const char *line_name(const struct page *p, size_t line)
     return *p->data->lines.name ? p->data->lines.label[line] : what(p);
 }
 
-/* A column's head: the line's name, and before a mere number what it is the value of: "group 8". */
+/* Writes "group 8", "8 nodes", and of an axis without a name only the label. */
+static void write_place(const struct page *p, const char *axis, const char *label)
+{
+    if (strcmp(axis, "nodes") == 0)
+        fprintf(p->out, "%s node%s", label, strcmp(label, "1") != 0 ? "s" : "");
+    else
+        fprintf(p->out, "%s%s%s", axis, *axis ? " " : "", label);
+}
+
+/* Writes "group 8 to 16", "8 to 16 nodes". */
+static void write_range(const struct page *p, size_t from, size_t to)
+{
+    const struct chart_axis *x = &p->data->x;
+    char *labels = xasprintf("%s to %s", x->label[from], x->label[to]);
+    write_place(p, x->name, from == to ? x->label[from] : labels);
+    free(labels);
+}
+
+/* A column's head: the line's name, and with a mere number what it is the value of: "group 8". */
 static void write_column_head(const struct page *p, size_t line)
 {
-    const char *axis = p->data->lines.name, *name = line_name(p, line);
-    if (*axis && isdigit((unsigned char)*name))
-        fprintf(p->out, " %s", axis);
-    fprintf(p->out, " %s |", name);
+    const char *name = line_name(p, line);
+    fputc(' ', p->out);
+    write_place(p, isdigit((unsigned char)*name) ? p->data->lines.name : "", name);
+    fputs(" |", p->out);
 }
 
 static void write_table(const struct page *p, size_t panel)
@@ -229,7 +263,7 @@ static void say_factor(const struct page *p, double from, double to)
         fprintf(p->out, "%s %% %s", text, down ? "less" : "more");
 }
 
-/* Writes "8.000 to 6.000 from nodes 1 to 8, 25 % less; ". Names have no first and last. */
+/* Writes "8.000 to 6.000 from 1 to 8 nodes, 25 % less; ". Names have no first and last. */
 static void say_change(const struct page *p, size_t panel, size_t line)
 {
     const struct chart_data *d = p->data;
@@ -244,7 +278,9 @@ static void say_change(const struct page *p, size_t panel, size_t line)
     write_value(p, panel, line, first);
     fputs(" to ", p->out);
     write_value(p, panel, line, last);
-    fprintf(p->out, " from %s %s to %s, ", d->x.name, d->x.label[first], d->x.label[last]);
+    fputs(" from ", p->out);
+    write_range(p, first, last);
+    fputs(", ", p->out);
     say_factor(p, from, to);
     fputs("; ", p->out);
 }
@@ -269,7 +305,9 @@ static void say_best(const struct page *p, size_t panel, size_t line)
     if (at == d->x.count)
         return;
     near_best(p, panel, line, at, &from, &to);
-    fprintf(p->out, "- %s%s%s: ", d->lines.name, *d->lines.name ? " " : "", line_name(p, line));
+    fputs("- ", p->out);
+    write_place(p, d->lines.name, line_name(p, line));
+    fputs(": ", p->out);
     if (is_level(d, panel, line)) {
         write_value(p, panel, line, at);
         fputs(" at all points.\n", p->out);
@@ -278,7 +316,8 @@ static void say_best(const struct page *p, size_t panel, size_t line)
     say_change(p, panel, line);
     fprintf(p->out, "%s, ", best_word(p));
     write_value(p, panel, line, at);
-    fprintf(p->out, ", at %s %s", d->x.name, d->x.label[at]);
+    fputs(", at ", p->out);
+    write_range(p, at, at);
     if (from < to && d->x.numeric)
         fprintf(p->out, "; within a tenth of it from %s to %s", d->x.label[from], d->x.label[to]);
     fputs(".\n", p->out);
@@ -311,13 +350,12 @@ static void write_winners(const struct page *p, size_t panel, size_t x)
 {
     const struct chart_data *d = p->data;
     double best = best_at(p, panel, x);
-    const char *before = *d->lines.name ? " " : "";
-    fputs(d->lines.name, p->out);
+    char *names = xstrdup("");
     for (size_t line = 0; line < d->lines.count; line++)
-        if (merit(p, panel, line, x) == best) {
-            fprintf(p->out, "%s%s", before, line_name(p, line));
-            before = " and ";
-        }
+        if (merit(p, panel, line, x) == best)
+            words_append(&names, "%s%s", *names ? " and " : "", line_name(p, line));
+    write_place(p, d->lines.name, names);
+    free(names);
 }
 
 static void say_winners(const struct page *p, size_t panel)
@@ -334,9 +372,8 @@ static void say_winners(const struct page *p, size_t panel)
             else
                 fprintf(p->out, "- The %s line: ", strcmp(best_word(p), "most") ? "lowest" : "highest");
             write_winners(p, panel, x);
-            fprintf(p->out, " at %s %s", d->x.name, d->x.label[x]);
-            if (end - x > 1)
-                fprintf(p->out, " to %s", d->x.label[end - 1]);
+            fputs(" at ", p->out);
+            write_range(p, x, end - 1);
             any = true;
         }
         x = end;
@@ -369,9 +406,11 @@ static bool write_picture(const struct record_points *points, const struct pictu
         const char *title = *picture->title ? picture->title : picture->file;
         fprintf(out, "\n## %s\n\n![%s](%s.png)\n\n", title, title, picture->file);
         const char *baseline = chart_baseline(points->header, picture);
-        fprintf(out, "In the table: %s%s%s%s%s%s%s.\n\n", what(&page),
-                *picture->best ? " with the least " : "", *picture->best ? picture->figure : "",
-                *data.fixed ? "; " : "", data.fixed, *baseline ? "; baseline: " : "", baseline);
+        bool named = *picture->best && *picture->y_label;
+        fprintf(out, "In the table: %s%s%s%s%s%s%s%s%s.\n\n", what(&page), named ? " with the least " : "",
+                named ? picture->figure : "", *picture->lines_label ? "; columns: " : "",
+                picture->lines_label, *data.fixed ? "; " : "", data.fixed, *baseline ? "; baseline: " : "",
+                baseline);
         for (size_t i = 0; i < data.panels.count; i++)
             write_panel(&page, i);
     }

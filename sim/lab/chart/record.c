@@ -3,6 +3,7 @@
 #include "files/atomic_file.h"
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
+#include "nx_api/contract/edit_distance.h"
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -216,10 +217,16 @@ static bool add_figures(void *arg, const json_t *point, char **error)
 char *record_no_figure(const struct record_points *points, const char *name)
 {
     json_t *figures = json_object();
+    struct edit_nearest like = {.meant = name};
     char *error = NULL, *names = NULL;
+    const char *figure;
+    json_t *value;
     if (points->each(points->arg, add_figures, figures, &error))
         names = json_keys_text(figures, json_object_get(points->header, "axes"));
-    char *text = xasprintf("no point has a figure %s; there are: %s", name, names ? names : "");
+    json_object_foreach(figures, figure, value) edit_see(&like, figure);
+    char *text =
+        xasprintf("no point has a figure %s; %s%s%shere are: %s", name, like.best ? "did you mean " : "",
+                  like.best ? like.best : "", like.best ? "? T" : "t", names ? names : "");
     free(names);
     free(error);
     json_decref(figures);

@@ -17,7 +17,7 @@
 #include "timing/draw_read.h"
 
 enum { RUNS = CLI_KEY, SECONDS, BOUNDS, DEPTH, TESTS };
-enum { USUAL_RUNS = 200, USUAL_TESTS = 200, USUAL_EXPLAINED = 8, USUAL_WALL_S = 600, EXIT_OUTPUT = 74 };
+enum { USUAL_RUNS = 200, USUAL_TESTS = 200, USUAL_EXPLAINED = 8, USUAL_WALL_S = 600 };
 
 struct arguments {
     struct cli_program what;
@@ -146,9 +146,9 @@ static int report(struct explore *x, const struct arguments *a)
     char *error = NULL;
     explore_print(x, a->json && !strcmp(a->json, "-") ? stderr : stdout);
     if (fflush(stdout) || ferror(stdout))
-        return failed(xasprintf("standard output cannot be written: %m"), EXIT_OUTPUT);
+        return failed(xasprintf("standard output cannot be written: %m"), CLI_EXIT_OUTPUT);
     if (a->json && !explore_json(x, a->json, &error))
-        return failed(error, EXIT_OUTPUT);
+        return failed(error, CLI_EXIT_OUTPUT);
     return x->search.outcome_count > 1 || !explore_usual_ended(x);
 }
 

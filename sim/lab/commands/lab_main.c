@@ -5,7 +5,6 @@
 #include <string.h>
 #include "cli/installation.h"
 #include "cli/say.h"
-#include "kernel/xalloc.h"
 #include "lab/commands/lab_commands.h"
 
 static const struct {
@@ -17,22 +16,13 @@ static const struct {
                 {"tables", cli_tables},     {"trace", cli_trace},     {"profile", cli_profile},
                 {"machines", cli_machines}, {"run", cli_sensitivity} /* as touchstone does, else */};
 
-enum { EXIT_OUTPUT = 74 };
-
-/* What a command has printed may have found no room. */
-static int ended(const char *command, int status)
-{
-    if ((fflush(stdout) || ferror(stdout)) && !status)
-        return cli_failed(command, xasprintf("standard output cannot be written: %m"), EXIT_OUTPUT);
-    return status;
-}
-
 int main(int argc, char **argv)
 {
     signal(SIGXFSZ, SIG_IGN); /* as in cli/main.c */
+    cli_watch_output(argc > 1 ? argv[1] : "-lab");
     for (size_t i = 0; i < sizeof COMMANDS / sizeof *COMMANDS && argc > 1 && !cli_is_lab(argv[0]); i++)
         if (!strcmp(argv[1], COMMANDS[i].name))
-            return ended(argv[1], COMMANDS[i].run(argc - 1, argv + 1));
+            return COMMANDS[i].run(argc - 1, argv + 1);
     fprintf(stderr, "touchstone-lab is a part of touchstone, which starts it: call touchstone COMMAND\n");
     return 64;
 }

@@ -8,7 +8,7 @@
 #include "files/atomic_file.h"
 #include "lab/flame/flame.h"
 
-enum { EXIT_UNWRITTEN = 74, NODES = CLI_KEY, JSON };
+enum { NODES = CLI_KEY, JSON };
 
 typedef void writer(const struct flame *f, FILE *out);
 
@@ -100,9 +100,9 @@ static int write_out(const struct flame *f, const struct arguments *a)
     struct atomic_file file;
     char *error = NULL;
     if (!atomic_file_begin(&file, a->out ? a->out : "-", &error))
-        return fail(error, EXIT_UNWRITTEN);
+        return fail(error, CLI_EXIT_OUTPUT);
     (a->lines ? a->format->lines : a->format->frames)(f, file.out);
-    return atomic_file_end(&file, &error) ? 0 : fail(error, EXIT_UNWRITTEN);
+    return atomic_file_end(&file, &error) ? 0 : fail(error, CLI_EXIT_OUTPUT);
 }
 
 int cli_profile(int argc, char **argv)

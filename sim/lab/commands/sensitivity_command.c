@@ -19,7 +19,7 @@
 #include "lab/sensitivity/sensitivity_report.h"
 #include "observe/json_file.h"
 
-enum { EXIT_FINDINGS = 3, EXIT_OUTPUT = 74 };
+enum { EXIT_FINDINGS = 3 };
 
 /* What is asked for, and the files of the runs. */
 struct work {
@@ -97,7 +97,7 @@ static int write_figures(const struct work *w)
     if (w->sensitivity->list && w->sensitivity->runs.list[0].done)
         json_set(figures, "sensitivity", sensitivity_json(w->sensitivity));
     char *error = json_file_write(figures, w->parts.json);
-    return error ? failed(error, EXIT_OUTPUT) : 0;
+    return error ? failed(error, CLI_EXIT_OUTPUT) : 0;
 }
 
 static const char *name_of(const struct work *w)

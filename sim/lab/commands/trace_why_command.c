@@ -166,14 +166,13 @@ static bool write_text(const struct arguments *a, struct why *w, const struct wh
 
 static int write_all(const struct arguments *a, struct why *w, const struct why_report_options *o)
 {
-    enum { OUTPUT = 74 };
     bool text = !a->json || strcmp(a->json, "-") != 0 || strcmp(a->output, "-") != 0;
     char *error = NULL;
     if (a->json) /* first: a reader of the text that has seen enough (| head) ends the process */
         error = json_file_write(why_json(w, o, a->path_lines), a->json);
     if (!error && text)
         write_text(a, w, o, &error);
-    return error ? failed(error, OUTPUT) : 0;
+    return error ? failed(error, CLI_EXIT_OUTPUT) : 0;
 }
 
 static bool all_answer(const struct reruns *r)

@@ -109,6 +109,16 @@ static char *words_of_message(const struct divergence *d, const struct recording
     return text;
 }
 
+/* Adds "in or behind the program's 6th call". */
+static void append_calls(char **text, uint64_t begun)
+{
+    char count[REC_ORDINAL];
+    if (begun)
+        words_append(text, "in or behind the program's %s call", rec_ordinal(begun - 1, count));
+    else
+        words_append(text, "before the program's first call");
+}
+
 static char *words_of_handler(const struct divergence *d, const struct recording *base,
                               const struct recording *run)
 {
@@ -118,8 +128,10 @@ static char *words_of_handler(const struct divergence *d, const struct recording
     text = xasprintf("at %s the %s handler of %s", rec_time(d->at, time), rec_ordinal(d->number, count),
                      rec_node_name(d->node, run->nodes, name));
     append_place(&text, NULL, h->line);
-    words_append(&text, " ran when the program had begun %" PRIu64 " calls; in the usual timing %" PRIu64,
-                 h->calls, b->calls);
+    words_append(&text, " ran ");
+    append_calls(&text, h->calls);
+    words_append(&text, "; in the usual timing ");
+    append_calls(&text, b->calls);
     return text;
 }
 

@@ -49,9 +49,9 @@ static void print_kinds(const struct search *s, FILE *out)
             s->seeds - pct, pct, s->directed);
     fprintf(
         out,
-        "  orders     %zu different; %zu other%s not run, since a run had begun so; %zu beyond the bounds; "
-        "%zu left\n",
-        s->orders.count, s->pruned, plural(s->pruned), s->out_of_bounds, s->flip_count);
+        "  orders     %zu different; not tried: %zu that begin like an earlier run, %zu beyond the bounds, "
+        "%zu for lack of runs\n",
+        s->orders.count, s->pruned, s->out_of_bounds, s->flip_count);
 }
 
 /* How many runs of that depth were made: seeds go round (search.c). */

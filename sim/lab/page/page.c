@@ -78,23 +78,44 @@ static void write_text(const char *text, FILE *out)
     }
 }
 
-/* The page's items are often of one run: what is said once, of the first that says anything. */
+/* The different texts that a page may be called by. */
+struct names {
+    char **text;
+    size_t count;
+};
+
+/* Takes over the text, which may be NULL. The page's items are often of one run: what they all say is said
+ * once. */
+static void name_also(struct names *n, char *text)
+{
+    bool said = !text;
+    for (size_t i = 0; !said && i < n->count; i++)
+        said = !strcmp(n->text[i], text);
+    if (said)
+        free(text);
+    else
+        n->text[n->count++] = text;
+}
+
+/* "1 more" is no shorter than the one's name. */
 static char *made_title(const struct page *p)
 {
-    char *first = NULL, *title;
-    size_t others = 0;
-    for (size_t i = 0; i < p->count; i++) {
-        char *about = page_item_about(&p->items[i]);
-        others += first && about && strcmp(first, about) != 0;
-        if (!first)
-            first = about;
-        else
-            free(about);
-    }
-    if (!first && p->count)
-        first = xstrdup(p->items[0].name), others = p->count - 1;
-    title = others ? xasprintf("%s and %zu more", first, others) : xstrdup(first ? first : "touchstone");
-    free(first);
+    struct names n = {xreallocarray(NULL, p->count + 1, sizeof *n.text), 0};
+    char *title;
+    for (size_t i = 0; i < p->count; i++)
+        name_also(&n, page_item_about(&p->items[i]));
+    if (!n.count)
+        for (size_t i = 0; i < p->count; i++)
+            name_also(&n, page_item_title(&p->items[i]));
+    if (n.count > 2)
+        title = xasprintf("%s and %zu more", n.text[0], n.count - 1);
+    else if (n.count == 2)
+        title = xasprintf("%s and %s", n.text[0], n.text[1]);
+    else
+        title = xstrdup(n.count ? n.text[0] : "touchstone");
+    while (n.count)
+        free(n.text[--n.count]);
+    free(n.text);
     return title;
 }
 

@@ -22,7 +22,8 @@ json_t *page_deadlock_make(const json_t *j)
     if (!w)
         return NULL;
     char *text = text_of(w), *svg = deadlock_draw_svg(w);
-    json_t *data = xchecked(json_pack("{s:s, s:s}", "report", text, "svg", svg));
+    json_t *data = xchecked(
+        json_pack("{s:s, s:s, s:O?}", "report", text, "svg", svg, "program", json_object_get(j, "program")));
     free(text);
     free(svg);
     waitfor_free(w);

@@ -1,4 +1,5 @@
-/* page_deadlock.h - a report of a deadlock as a page's data: {"report": text, "svg": picture}. */
+/* page_deadlock.h - a report of a deadlock as a page's data: {"report": text, "svg": picture,
+ * "program": its path}. */
 #ifndef LAB_PAGE_PAGE_DEADLOCK_H
 #define LAB_PAGE_PAGE_DEADLOCK_H
 #include <jansson.h>

@@ -201,7 +201,7 @@ char *page_item_about(const struct page_item *item)
     const json_t *j = item->json;
     if (t)
         return run_text(t->program, nodes_of(t), t->machine);
-    if (item->kind == PAGE_RUN)
+    if (item->kind == PAGE_RUN || item->kind == PAGE_PROFILE || item->kind == PAGE_PATH)
         return run_text(json_string_value(json_object_get(j, "program")),
                         json_integer_value(json_object_get(j, "nodes")),
                         json_string_value(json_object_get(j, "machine")));
@@ -209,6 +209,13 @@ char *page_item_about(const struct page_item *item)
         return xstrdup("Tables of Bajaj & Lin");
     const char *title = item->kind == PAGE_STUDY ? json_string_value(json_object_get(j, "title")) : NULL;
     return title && *title ? xstrdup(title) : NULL;
+}
+
+char *page_item_title(const struct page_item *item)
+{
+    const char *program = json_string_value(json_object_get(item->json, "program"));
+    return item->kind == PAGE_DEADLOCK && program ? xasprintf("Deadlock of %s", basename(program))
+                                                  : xstrdup(item->name);
 }
 
 void page_item_free(struct page_item *item)

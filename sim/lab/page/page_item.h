@@ -39,5 +39,7 @@ json_t *page_json_within_53_bits(json_t *j);
 /* What it is about, in a few words, malloc'd: "ring on 4 nodes of delta", or a study's title. NULL: it does
  * not say. */
 char *page_item_about(const struct page_item *item);
+/* What a page is called that shows nothing else: "Deadlock of ring", or the item's path; malloc'd. */
+char *page_item_title(const struct page_item *item);
 void page_item_free(struct page_item *item);
 #endif

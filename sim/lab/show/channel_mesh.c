@@ -139,9 +139,9 @@ static void draw_labels(const struct canvas *c, const struct mesh *m)
     canvas_text(c, m->plot.x, below_all, (struct text_style){10.5, INK, ANCHOR_LEFT, false},
                 m->apart >= DETAILED
                     ? "Arrow: a channel between neighbours. Square: a node's ports, the upper half into the "
-                      "network, the lower half out of it."
+                      "network, the lower half out of it. Grey: not used."
                     : "Bar: a channel between neighbours; traffic keeps to the right. Square: a node's "
-                      "ports, the upper half into the network.");
+                      "ports, the upper half into the network. Grey: not used.");
 }
 
 void channel_mesh_draw(const struct channel_map *map, const struct canvas *c, double y, uint32_t bin)

@@ -105,15 +105,10 @@ static char *notes(const struct show *s, const struct state_times *single)
         least = fmin(least, v), most = fmax(most, v), sum += v;
     }
     char *rows = s->rows.per > 1 ? node_rows_text(&s->rows, "spokes") : xstrdup("a spoke a node");
-    char *low = axis_percent_text(least), *mean = axis_percent_text(sum / single->rows);
-    char *high = axis_percent_text(most), *text;
-    text =
-        xasprintf("%s; computing: %s of the time at the least busy node, %s on the mean, %s at the busiest",
-                  rows, low, mean, high);
+    char *text = xasprintf("%s; computing: %.1f %% of the time at the least busy node, %.1f %% on average, "
+                           "%.1f %% at the busiest",
+                           rows, 100 * least, 100 * sum / single->rows, 100 * most);
     free(rows);
-    free(low);
-    free(mean);
-    free(high);
     return text;
 }
 

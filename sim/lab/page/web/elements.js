@@ -38,6 +38,11 @@ function addSection(title, short, about, name = '') {
     return section;
 }
 
+/* A command line, which breaks between its words, not behind the hyphen of an option. */
+function commandText(text) {
+    return text.split(' ').flatMap((word, i) => [i ? ' ' : '', element('span', {class: 'word'}, word)]);
+}
+
 /* [ [term, value], ... ] */
 function facts(list) {
     return element('dl', {class: 'facts'},

@@ -11,10 +11,11 @@ const DASHES = ['', '7 3', '2 3', '9 3 2 3', '4 2', '12 4', '1 3', '6 2 1 2'];
 
 /* Draws into a new figure element, which is returned with a method update(options).
  * options: { title, xLabel, yLabel, logX, logY, ticksX, zero, height,
- *            series: [ { name, points: [ { x, y, tip, spread, marked } ], line, hollow, style } ] }
+ *            series: [ { name, points: [ { x, y, tip, spread, marked } ], line, hollow, style, ideal } ] }
  * ticksX: values of the horizontal axis that get a label; zero: a line at 0; spread: half the length of
  * a point's error bar; marked: with a ring around it; line: false: markers only; hollow: rings instead of
- * dots; style: the number of its colour and marker, by default its place among the series. */
+ * dots; style: the number of its colour and marker, by default its place among the series; ideal: a grey
+ * dotted line without markers, to compare with. */
 function lineChart(options) {
     const chart = {hidden: new Set(), near: null};
     const holder = element('div'), tip = element('div', {class: 'tip', role: 'status'});
@@ -60,18 +61,18 @@ function markerPaint(series, i) {
     };
 }
 
+/* How the line of a series is painted. */
+function linePaint(series, i) {
+    return series.ideal ? {stroke: 'var(--soft)', 'stroke-width': 1.5, 'stroke-dasharray': '1 3'}
+                        : {stroke: `var(--c${i % 8})`, 'stroke-width': 2, 'stroke-dasharray': DASHES[i % 8]};
+}
+
 function legendKey(series, i) {
-    const mark = svgElement(
+    const mark = series.ideal ? null : svgElement(
         'path', {d: symbolPath(markerOf(i), 40), transform: 'translate(14 7)', ...markerPaint(series, i)});
-    const line = series.line === false ? null : svgElement('line', {
-        x1: 0,
-        x2: 28,
-        y1: 7,
-        y2: 7,
-        stroke: `var(--c${i % 8})`,
-        'stroke-width': 2,
-        'stroke-dasharray': DASHES[i % 8]
-    });
+    const line = series.line === false
+        ? null
+        : svgElement('line', {x1: 0, x2: 28, y1: 7, y2: 7, ...linePaint(series, i)});
     return svgElement('svg', {width: 28, height: 14, 'aria-hidden': 'true'}, line, mark);
 }
 
@@ -148,7 +149,7 @@ function drawChart(chart, o, series, width, tip) {
         svg.append(drawSeries(s, usable.filter(p => p.series === s), x, y));
     const ring = svgElement('circle', {class: 'near', r: 8, visibility: 'hidden'});
     svg.append(ring);
-    followPoints(svg, ring, tip, usable, x, y, o, width);
+    followPoints(svg, ring, tip, usable.filter(p => !p.series.ideal), x, y, o, width);
     return svg;
 }
 
@@ -213,11 +214,9 @@ function drawSeries(s, points, x, y) {
         g.append(svgElement('path', {
             d: d3.line().x(p => x(p.x)).y(p => y(p.y))(sorted) || '',
             fill: 'none',
-            stroke,
-            'stroke-width': 2,
-            'stroke-dasharray': DASHES[i % 8]
+            ...linePaint(s, i)
         }));
-    for (const p of sorted) {
+    for (const p of s.ideal ? [] : sorted) {
         if (p.spread)
             g.append(svgElement('line', {
                 x1: x(p.x),

@@ -169,6 +169,14 @@ function showCard(study, data) {
     fillCard(study.card, studySummary(data), study.name, study.section);
 }
 
+/* A page of studies is called by the first. */
+function showTitle(study, data) {
+    if (study.number !== 0 || !data.title)
+        return;
+    document.querySelector('h1').textContent = data.title;
+    document.title = `${data.title} - touchstone`;
+}
+
 /* Fetches a study's data until what is shown is what there is. A large study is not fetched all the time. */
 async function refreshStudy(study) {
     if (study.busy)
@@ -182,6 +190,7 @@ async function refreshStudy(study) {
             showAdded(study, data);
             fillForm(study, data);
             showCard(study, data);
+            showTitle(study, data);
             followSections();
             study.version = version;
         } catch (problem) {

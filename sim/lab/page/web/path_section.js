@@ -27,9 +27,12 @@ function pathSummary(data) {
     };
 }
 
+function share(part, whole) { return Number(BigInt(whole)) ? Number(BigInt(part)) / Number(BigInt(whole)) * 100 : 0; }
+
+/* In a sentence; a column has equal decimals instead. */
 function percent(part, whole) {
-    const value = Number(BigInt(whole)) ? Number(BigInt(part)) / Number(BigInt(whole)) * 100 : 0;
-    return value.toFixed(value < 10 ? 2 : 1) + ' %';
+    const value = share(part, whole);
+    return value.toFixed(value < 10 ? 2 : 1) + '\u00a0%';
 }
 
 function causeText(key) { return CLASS_TEXTS[key] || key.replace(/_/g, ' '); }
@@ -56,7 +59,7 @@ function pathSection(data, name) {
 function timeColumns(whole, most, of) {
     return [
         {name: 'time', get: r => BigInt(r.time_ps)},
-        {name: `% of ${of}`, get: r => r.time_ps, show: v => percent(v, whole)},
+        {name: `% of ${of}`, get: r => r.time_ps, show: v => share(v, whole).toFixed(2) + ' %'},
         {name: '', text: true, get: r => Number(BigInt(r.time_ps)), show: v => shareBar(v, most)},
     ];
 }

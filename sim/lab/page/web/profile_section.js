@@ -11,8 +11,12 @@ function profileSummary(data) {
 
 function profileSection(data, name) {
     const section = addSection(`Profile of ${baseName(data.program)}`, 'Profile: ' + baseName(name),
-        `${[data.program, ...data.arguments].join(' ')}, on ${plural(data.nodes, 'node')} of ${
-            data.machine} (${name}). Times are sums over the nodes, counted and not sampled.`, name);
+        [
+            ...commandText([data.program, ...data.arguments].join(' ')),
+            `, on ${plural(data.nodes, 'node')} of ${data.machine} (${name}). Times are sums over the nodes, `,
+            'counted and not sampled.'
+        ],
+        name);
     const functions = [...data.functions].sort((a, b) => b.seconds - a.seconds);
     const most = functions.length ? functions[0].share : 1;
     section.append(element('h3', {}, 'By function'),
@@ -49,14 +53,14 @@ function profileClass(kind, times) {
             'h3', {}, `${plural(times.nodes, 'node')}${kind === 'with_handlers' ? ' with handlers' : ''}`),
         facts([
             ['computing', share(times.computing_s)], ['system', share(times.system_s)],
-            ['idle', share(times.idle_s)]
+            ['waiting (idle)', share(times.idle_s)]
         ]),
         later('The system\'s time by task, and the waits by call',
             () => [facts(tasks),
                 ...figureTable('Waits',
                     [
                         {name: 'Call', text: true, get: w => w.call},
-                        {name: 'idle', get: w => picoseconds(w.idle_s)}, {name: 'waits', get: w => w.waits}
+                        {name: 'waited', get: w => picoseconds(w.idle_s)}, {name: 'waits', get: w => w.waits}
                     ],
                     times.waits)])
     ];

@@ -15,7 +15,7 @@ function runSummary(data) {
 
 function runSection(data, name) {
     const section = addSection(`Run of ${baseName(data.program)}`, 'Run: ' + baseName(name),
-        `${[data.program, ...data.arguments].join(' ')} (${name})`, name);
+        [...commandText([data.program, ...data.arguments].join(' ')), ` (${name})`], name);
     section.append(facts([
         ['Virtual time', timeFigure(data.virtual_time_s)],
         ['Outcome', data.outcome + (data.message ? ': ' + data.message : '')],

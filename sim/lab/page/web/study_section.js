@@ -23,8 +23,13 @@ function studyFigures(data) {
     return [...known.filter(k => found.has(k)), ...[...found].filter(k => !known.includes(k)).sort()];
 }
 
+/* Figures of touchstone's own whose names are no words; as in pictures (chart_data.c). */
+const FIGURE_WORDS = {speedup: 'speed-up', speed_per_node: 'speed-up / nodes'};
+
 /* A figure's name for people: "idle, %" of idle_pct. */
 function figureWords(key) {
+    if (Object.hasOwn(FIGURE_WORDS, key))
+        return FIGURE_WORDS[key];
     const [, stem, unit] = key.match(/^(.*?)(?:_(s|ms|us|ps|pct|bytes))?$/);
     return stem.replace(/_/g, ' ') + (unit ? ', ' + (unit === 'pct' ? '%' : unit) : '');
 }
@@ -149,6 +154,14 @@ function studyControls(data, axes, several, figures, numeric, state, chart, upda
     ];
 }
 
+/* The line that speeds are compared with, where nodes are the horizontal axis. */
+function idealSeries(data, state) {
+    if (state.x !== 'nodes' || !Object.hasOwn(FIGURE_WORDS, state.y))
+        return [];
+    const points = d3.extent(data.axes.nodes).map(x => ({x, y: state.y === 'speedup' ? x : 1}));
+    return [{name: 'ideal', ideal: true, points}];
+}
+
 function studyOptions(data, axes, state) {
     const held = axes.filter(a => a !== state.x && a !== state.lines);
     const points = data.points.filter(
@@ -170,7 +183,7 @@ function studyOptions(data, axes, state) {
         title: `${figureWords(state.y).split(', ')[0]} against ${state.x}`,
         xLabel: state.x,
         yLabel: figureWords(state.y),
-        series,
+        series: [...series, ...idealSeries(data, state)],
         ticksX: data.axes[state.x].length <= 16 ? [...data.axes[state.x]].sort((a, b) => a - b) : null
     };
 }

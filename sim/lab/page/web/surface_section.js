@@ -113,14 +113,19 @@ function viewerDirection(azimuth, elevation) {
     return new THREE.Vector3(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e));
 }
 
-/* What a surface that is seen through draws first: only its depth, so that then only its nearest layer is
- * seen. */
-function makeVeil(mesh) {
-    const veil = new THREE.Mesh(
-        mesh.geometry, new THREE.MeshBasicMaterial({colorWrite: false, side: THREE.DoubleSide}));
-    veil.renderOrder = 1;
-    veil.visible = false;
-    return veil;
+/* Two rules of touchstone render (lab/render/shade.c). Both sides of a surface are lit alike, wherever its
+ * normals point: three.js takes for the lit side the one from which the corners go round to the left, which
+ * files need not keep to. And a layer that is seen through holds back more light at an angle, for the way
+ * through it is longer. */
+function shadeAsRender(shader) {
+    const normals = '#include <normal_fragment_begin>', end = '#include <opaque_fragment>';
+    shader.fragmentShader =
+        shader.fragmentShader
+            .replace(normals, `${normals}
+                float facing = dot(normal, normalize(vViewPosition));
+                normal = facing < 0.0 ? -normal : normal;`)
+            .replace(end, `diffuseColor.a = 1.0 - pow(1.0 - diffuseColor.a, 1.0 / max(abs(facing), 0.1));
+                ${end}`);
 }
 
 class SurfaceView {
@@ -136,11 +141,10 @@ class SurfaceView {
         this.upright = new THREE.Quaternion().setFromUnitVectors(this.camera.up, new THREE.Vector3(0, 1, 0));
         this.clearBoxes = [];
         this.meshes = surfaces.map((s, i) => this.makeMesh(s.data, i));
-        this.veils = this.meshes.map(makeVeil);
         this.whole = this.meshes.map(m => m.geometry);
         this.coarseGeometry = [];
         this.late = 0; /* how many pictures in a row came late */
-        this.scene.add(...this.meshes, ...this.veils);
+        this.scene.add(...this.meshes);
         this.addLights();
         this.controls = new THREE.OrbitControls(this.camera, canvas);
         this.controls.addEventListener('change', () => this.draw(true));
@@ -165,11 +169,14 @@ class SurfaceView {
             shininess: 18,
             specular: 0x161616
         });
+        material.onBeforeCompile = shadeAsRender;
         return new THREE.Mesh(geometry, material);
     }
     /* By a matt surface that faces it, a light of intensity 1 is seen as 1 / PI. */
     addLights() {
-        this.scene.add(new THREE.HemisphereLight(0xffffff, 0x667080, 0.55 * Math.PI), this.camera);
+        const sky = new THREE.HemisphereLight(0xffffff, 0x667080, 0.55 * Math.PI);
+        sky.position.copy(this.camera.up);
+        this.scene.add(sky, this.camera);
         const lamp = new THREE.DirectionalLight(0xffffff, 0.65 * Math.PI);
         lamp.position.set(-0.6, 0.9, 1);
         this.camera.add(lamp);
@@ -206,7 +213,7 @@ class SurfaceView {
     }
     render() {
         this.meshes.forEach((m, i) => {
-            m.geometry = this.veils[i].geometry = this.coarse ? this.coarseOf(i) : this.whole[i];
+            m.geometry = this.coarse ? this.coarseOf(i) : this.whole[i];
         });
         this.setPixels(this.coarse ? 0.5 : 1);
         this.renderer.setClearColor(colour('panel'));
@@ -305,7 +312,6 @@ class SurfaceView {
     }
     toggle(i) {
         this.meshes[i].visible = !this.meshes[i].visible;
-        this.veils[i].visible = this.meshes[i].visible && this.meshes[i].material.transparent;
         this.draw();
         return this.meshes[i].visible;
     }

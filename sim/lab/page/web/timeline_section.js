@@ -3,9 +3,9 @@
 
 function traceSections(trace, name) {
     const section = addSection(`Timeline of ${baseName(trace.program)} on ${trace.machine}`, 'Timeline: ' + baseName(name),
-        `${trace.command} (${name}): ${plural(trace.rows.length, 'node')}, ${
+        [...commandText(trace.command), ` (${name}): ${plural(trace.rows.length, 'node')}, ${
             plural(trace.pieceCount,
-                'interval')}, ${plural(trace.messageCount, 'message')} in ${roughly(Number(trace.end))}.`,
+                'interval')}, ${plural(trace.messageCount, 'message')} in ${roughly(Number(trace.end))}.`],
         name);
     if (!trace.rows.length) {
         section.append(element('p', {}, 'The trace has no node.'));
@@ -65,7 +65,7 @@ class Timeline {
         this.fillLegend();
         this.readout = element('div',
             {class: 'readout', id: this.section.id + '-readout', role: 'status', 'aria-live': 'polite'},
-            element('p', {}, 'Click a piece, or press , or . to see what it is.'));
+            element('p', {}, 'Click a piece, or press ', keys(','), ' or ', keys('.'), ' to see what it is.'));
         this.painter = new TimelinePainter(this.trace, this.canvas);
         this.canvas.timeline = this; /* for whoever drives the page */
         this.canvas.addEventListener('keydown', e => this.key(e));
@@ -353,12 +353,15 @@ class Timeline {
         const all = kinds.map(() => 0n);
         for (const row of this.trace.rows)
             this.sums(row, from, to, drawn, kinds.length).forEach((sum, k) => { all[k] += sum; });
-        const whole = all.reduce((a, b) => a + b, 0n);
+        const whole = all.reduce((a, b) => a + b, 0n), span = Number(to - from);
+        const end = time => rounded(shortTime(time, span), moment(time));
         this.readout.replaceChildren(
-            element('p', {},
-                `From ${moment(from)} to ${moment(to)}, ${roughly(Number(to - from))}, of ${
-                    plural(this.trace.rows.length, 'node')}: `,
-                all.map((sum, k) => `${kinds[k].name} ${percent(sum, whole)}`).join(', '), '.'),
+            element('p', {}, 'From ', end(from), ' to ', end(to),
+                `, ${roughly(span)}, of ${plural(this.trace.rows.length, 'node')}: `,
+                all.map((sum, k) => (sum ? `${kinds[k].name} ${percent(sum, whole)}` : ''))
+                    .filter(text => text)
+                    .join(', '),
+                '.'),
             button('Zoom in on it', () => {
                 this.setRange(Number(from), Number(to));
                 this.dropSpan();
