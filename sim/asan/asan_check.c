@@ -118,7 +118,7 @@ static bool make_shadow(struct asan *all, struct asan_shadow *s, const struct no
     const struct node_region *r = n->guest.region;
     if (all->others < 0)
         all->others = asan_shadow_others();
-    return all->others >= 0 && asan_shadow_begin(s, (uintptr_t)r, NODE_REGION, all->others) &&
+    return all->others >= 0 && asan_shadow_begin(s, (uintptr_t)r, r->bytes, all->others) &&
            asan_shadow_own(s, (uintptr_t)n->guest.span, (size_t)1 << r->shift) &&
            asan_shadow_own(s, (uintptr_t)n->guest.heap_start, r->heap_bytes);
 }

@@ -4,11 +4,12 @@
  * bytes:
  *
  *     base                                                                         top
- *     | size prev tag asked | program's bytes, rest | size prev tag | free: links | ... |        not in use
+ *     | units prev tag rest | program's bytes, rest | units prev tag | free: links | ... |       not in use
  *
- * size is the block's, head included; prev is the size of the block before, so that both neighbours can be
- * found. tag tells used blocks, free blocks and foreign pointers apart. The program has asked for `asked`
- * bytes; the rest of the block, if any, is filled with REST, so that a write past the end is noticed.
+ * units is the block's size in HEAD bytes, head included; prev is that of the block before, so that both
+ * neighbours can be found. tag tells used blocks, free blocks and foreign pointers apart. The last `rest`
+ * bytes of a used block are more than the program has asked for; they are filled with REST, so that a write
+ * past the end is noticed.
  * Invariants: no two free blocks are neighbours, and the block below top is in use; top - base is what the
  * heap takes of the node's memory.
  *
@@ -36,14 +37,14 @@
 #define REST 0xe5
 
 struct block {
-    uint32_t size, prev, tag, asked;
+    uint32_t units, prev, tag, rest;
     struct block *next_free, *prev_free; /* of a free block; the program's bytes begin here */
 };
 
 struct node_heap {
     char *base, *top;
     size_t limit;
-    uint32_t last;       /* size of the block below top; 0: no block */
+    size_t last;         /* size of the block below top; 0: no block */
     uint64_t filled;     /* bit b: bins[b] is not empty */
     struct block **bins; /* NULL: none has had a block yet */
     int (*room)(void *ctx, size_t bytes);
@@ -54,7 +55,7 @@ struct node_heap {
 struct node_heap *node_heap_new(void *base, size_t limit, int (*room)(void *ctx, size_t bytes),
                                 void (*grown)(void *ctx, size_t used), void *ctx)
 {
-    assert((uintptr_t)base % HEAD == 0 && limit <= UINT32_MAX / 2);
+    assert((uintptr_t)base % HEAD == 0 && limit <= (size_t)UINT32_MAX * HEAD);
     struct node_heap *h = xcalloc(1, sizeof *h);
     h->base = h->top = base;
     h->limit = limit;
@@ -88,24 +89,32 @@ static bool is_in_use(const struct block *b)
 {
     return b->tag == tag_at(b, TAG_USED) || b->tag == tag_at(b, TAG_BREAK);
 }
+static size_t size_of(const struct block *b)
+{
+    return (size_t)b->units * HEAD;
+}
+static size_t asked_of(const struct block *b)
+{
+    return size_of(b) - HEAD - b->rest;
+}
 static struct block *after(const struct block *b)
 {
-    return (struct block *)((char *)b + b->size);
+    return (struct block *)((char *)b + size_of(b));
 }
 static struct block *before(const struct block *b)
 {
-    return (struct block *)((char *)b - b->prev);
+    return (struct block *)((char *)b - (size_t)b->prev * HEAD);
 }
 
-static unsigned bin_of(uint32_t size)
+static unsigned bin_of(size_t size)
 {
-    unsigned exact = size / HEAD;
-    return exact < EXACT_BINS ? exact : EXACT_BINS + (unsigned)(31 - __builtin_clz(size)) - 9;
+    size_t exact = size / HEAD;
+    return exact < EXACT_BINS ? (unsigned)exact : EXACT_BINS + (unsigned)(63 - __builtin_clzll(size)) - 9;
 }
 
 static void put_in_bin(struct node_heap *h, struct block *b)
 {
-    unsigned i = bin_of(b->size);
+    unsigned i = bin_of(size_of(b));
     if (h->bins == NULL)
         h->bins = xcalloc(BINS, sizeof *h->bins);
     b->tag = tag_at(b, TAG_FREE);
@@ -119,7 +128,7 @@ static void put_in_bin(struct node_heap *h, struct block *b)
 
 static void take_from_bin(struct node_heap *h, struct block *b)
 {
-    unsigned i = bin_of(b->size);
+    unsigned i = bin_of(size_of(b));
     if (b->next_free != NULL)
         b->next_free->prev_free = b->prev_free;
     if (b->prev_free != NULL)
@@ -139,31 +148,31 @@ static unsigned char *bytes_of(struct block *b)
 /* Notes that the program has asked for so many bytes of a block. */
 static void set_asked(struct block *b, size_t asked)
 {
-    assert(asked <= b->size - HEAD);
-    b->asked = (uint32_t)asked;
-    memset(bytes_of(b) + asked, REST, b->size - HEAD - asked);
+    assert(asked <= size_of(b) - HEAD);
+    b->rest = (uint32_t)(size_of(b) - HEAD - asked);
+    memset(bytes_of(b) + asked, REST, b->rest);
 }
 
 static bool is_within(const struct block *b)
 {
-    const unsigned char *bytes = (const unsigned char *)b + HEAD;
-    if (b->asked > b->size - HEAD)
+    const unsigned char *end = (const unsigned char *)after(b);
+    if (b->rest > size_of(b) - HEAD)
         return false;
-    for (size_t i = b->asked; i < b->size - HEAD; i++)
-        if (bytes[i] != REST)
+    for (const unsigned char *rest = end - b->rest; rest < end; rest++)
+        if (*rest != REST)
             return false;
     return true;
 }
 
 /* A free block of at least size bytes, the best of its bin; NULL if there is none. */
-static struct block *find_free(const struct node_heap *h, uint32_t size)
+static struct block *find_free(const struct node_heap *h, size_t size)
 {
     unsigned i = bin_of(size);
     struct block *best = NULL;
     if (h->filled == 0)
         return NULL;
-    for (struct block *b = h->bins[i]; b != NULL && (best == NULL || best->size != size); b = b->next_free)
-        if (b->size >= size && (best == NULL || b->size < best->size))
+    for (struct block *b = h->bins[i]; b != NULL && (best == NULL || size_of(best) != size); b = b->next_free)
+        if (size_of(b) >= size && (best == NULL || b->units < best->units))
             best = b;
     uint64_t larger = h->filled & ~((UINT64_C(2) << i) - 1);
     if (best == NULL && larger != 0)
@@ -172,13 +181,13 @@ static struct block *find_free(const struct node_heap *h, uint32_t size)
 }
 
 /* Sets a block's size, also in the block above it, or in the heap if the block is the last. */
-static void set_size(struct node_heap *h, struct block *b, uint32_t size)
+static void set_size(struct node_heap *h, struct block *b, size_t size)
 {
-    b->size = size;
+    b->units = (uint32_t)(size / HEAD);
     if ((char *)b + size == h->top)
         h->last = size;
     else
-        after(b)->prev = size;
+        after(b)->prev = b->units;
 }
 
 /* Moves top up to end; returns false if the node's memory does not allow it. */
@@ -196,20 +205,20 @@ static bool raise_top(struct node_heap *h, char *end)
  */
 static void give_back(struct node_heap *h, struct block *b)
 {
-    uint32_t size = b->size;
+    size_t size = size_of(b);
     if ((char *)after(b) != h->top && is_free(after(b))) {
         take_from_bin(h, after(b));
-        size += after(b)->size;
+        size += size_of(after(b));
     }
     b->tag = 0;
     if (b->prev != 0 && is_free(before(b))) {
         b = before(b);
         take_from_bin(h, b);
-        size += b->size;
+        size += size_of(b);
     }
     if ((char *)b + size == h->top) {
         h->top = (char *)b;
-        h->last = b->prev;
+        h->last = (size_t)b->prev * HEAD;
         h->grown(h->ctx, node_heap_used(h));
     } else {
         set_size(h, b, size);
@@ -218,33 +227,32 @@ static void give_back(struct node_heap *h, struct block *b)
 }
 
 /* Shortens a used block to size if the rest is large enough for a block. */
-static void trim(struct node_heap *h, struct block *b, uint32_t size)
+static void trim(struct node_heap *h, struct block *b, size_t size)
 {
-    if (b->size - size < LEAST)
+    if (size_of(b) - size < LEAST)
         return;
     struct block *rest = (struct block *)((char *)b + size);
-    rest->prev = size;
-    set_size(h, rest, b->size - size);
-    b->size = size;
+    set_size(h, rest, size_of(b) - size);
+    set_size(h, b, size);
     give_back(h, rest);
 }
 
 /* The size of the block for a request; 0 if no heap could hold it. */
-static uint32_t block_size(const struct node_heap *h, size_t bytes)
+static size_t block_size(const struct node_heap *h, size_t bytes)
 {
     if (bytes > h->limit)
         return 0;
     size_t size = (bytes + HEAD + HEAD - 1) / HEAD * HEAD;
-    return (uint32_t)(size < LEAST ? LEAST : size);
+    return size < LEAST ? LEAST : size;
 }
 
 /* Makes a block above top; NULL if there is no room. */
-static struct block *add_block(struct node_heap *h, uint32_t size, uint32_t kind)
+static struct block *add_block(struct node_heap *h, size_t size, uint32_t kind)
 {
     struct block *b = (struct block *)h->top;
     if (!raise_top(h, h->top + size))
         return NULL;
-    b->prev = h->last;
+    b->prev = (uint32_t)(h->last / HEAD);
     b->tag = tag_at(b, kind);
     set_size(h, b, size);
     return b;
@@ -252,7 +260,7 @@ static struct block *add_block(struct node_heap *h, uint32_t size, uint32_t kind
 
 void *node_heap_alloc(struct node_heap *h, size_t bytes)
 {
-    uint32_t size = block_size(h, bytes);
+    size_t size = block_size(h, bytes);
     if (size == 0)
         return NULL;
     struct block *b = find_free(h, size);
@@ -286,10 +294,9 @@ void *node_heap_alloc_aligned(struct node_heap *h, size_t align, size_t bytes)
         front += align;
     if (front > 0) {
         struct block *aligned = (struct block *)((char *)b + front);
-        aligned->prev = (uint32_t)front;
         aligned->tag = tag_at(aligned, TAG_USED);
-        set_size(h, aligned, b->size - (uint32_t)front);
-        b->size = (uint32_t)front;
+        set_size(h, aligned, size_of(b) - front);
+        set_size(h, b, front);
         give_back(h, b);
         b = aligned;
     }
@@ -305,22 +312,21 @@ static struct block *block_of(const struct node_heap *h, const void *p)
     if (at % HEAD != 0 || at < HEAD || at >= node_heap_used(h))
         return NULL;
     struct block *b = (struct block *)((char *)p - HEAD);
-    if (b->tag != tag_at(b, TAG_USED) || b->size > (size_t)(h->top - (char *)b) || b->size < LEAST)
+    if (b->tag != tag_at(b, TAG_USED) || size_of(b) > (size_t)(h->top - (char *)b) || size_of(b) < LEAST)
         return NULL;
     /* both neighbours agree: no write has reached either head */
-    if ((char *)after(b) == h->top ? h->last != b->size : after(b)->prev != b->size)
+    if ((char *)after(b) == h->top ? h->last != size_of(b) : after(b)->prev != b->units)
         return NULL;
     if (!is_within(b))
         return NULL;
-    return b->prev == 0 || (b->prev <= at - HEAD && before(b)->size == b->prev) ? b : NULL;
+    return b->prev == 0 || ((size_t)b->prev * HEAD <= at - HEAD && before(b)->units == b->prev) ? b : NULL;
 }
 
 /* Is the head of a block valid? */
 static bool has_head(const struct node_heap *h, const struct block *b, uint32_t prev)
 {
     size_t room = (size_t)(h->top - (const char *)b);
-    return (is_in_use(b) || is_free(b)) && b->prev == prev && b->size >= LEAST && b->size <= room &&
-           b->size % HEAD == 0;
+    return (is_in_use(b) || is_free(b)) && b->prev == prev && size_of(b) >= LEAST && size_of(b) <= room;
 }
 
 size_t node_heap_check(const struct node_heap *h, const void **block)
@@ -328,15 +334,15 @@ size_t node_heap_check(const struct node_heap *h, const void **block)
     uint32_t prev = 0;
     const struct block *last = NULL;
     for (const struct block *b = (const struct block *)h->base; (const char *)b < h->top;
-         last = b, prev = b->size, b = after(b)) {
+         last = b, prev = b->units, b = after(b)) {
         bool good = has_head(h, b, prev);
         if (good && (is_free(b) || is_within(b)))
             continue;
         /* a damaged head was overrun from the block before */
         const struct block *culprit = good || !last ? b : last;
         *block = (const char *)culprit + HEAD;
-        size_t most = culprit->size - HEAD;
-        return is_free(culprit) || culprit->asked > most ? most : culprit->asked;
+        size_t most = size_of(culprit) - HEAD;
+        return is_free(culprit) || culprit->rest > most ? most : asked_of(culprit);
     }
     *block = NULL;
     return 0;
@@ -348,7 +354,7 @@ size_t node_heap_in_use(const struct node_heap *h, size_t *free_blocks)
     *free_blocks = 0;
     for (const struct block *b = (const struct block *)h->base; (const char *)b < h->top; b = after(b))
         if (is_in_use(b))
-            bytes += b->size;
+            bytes += size_of(b);
         else if (is_free(b))
             ++*free_blocks;
         else
@@ -364,7 +370,7 @@ bool node_heap_owns(const struct node_heap *h, const void *p)
 size_t node_heap_bytes(const struct node_heap *h, const void *p)
 {
     const struct block *b = block_of(h, p);
-    return b ? b->asked : 0;
+    return b ? asked_of(b) : 0;
 }
 
 int node_heap_release(struct node_heap *h, void *p)
@@ -377,7 +383,7 @@ int node_heap_release(struct node_heap *h, void *p)
 }
 
 /* Extends a used block to size, into a free neighbour or past top. */
-static bool widen(struct node_heap *h, struct block *b, uint32_t size)
+static bool widen(struct node_heap *h, struct block *b, size_t size)
 {
     if ((char *)after(b) == h->top) {
         if (!raise_top(h, (char *)b + size))
@@ -386,10 +392,10 @@ static bool widen(struct node_heap *h, struct block *b, uint32_t size)
         return true;
     }
     struct block *next = after(b);
-    if (!is_free(next) || b->size + next->size < size)
+    if (!is_free(next) || size_of(b) + size_of(next) < size)
         return false;
     take_from_bin(h, next);
-    set_size(h, b, b->size + next->size);
+    set_size(h, b, size_of(b) + size_of(next));
     trim(h, b, size);
     return true;
 }
@@ -397,17 +403,17 @@ static bool widen(struct node_heap *h, struct block *b, uint32_t size)
 void *node_heap_resize(struct node_heap *h, void *p, size_t bytes)
 {
     struct block *b = block_of(h, p);
-    uint32_t size = block_size(h, bytes);
+    size_t size = block_size(h, bytes);
     if (b == NULL || size == 0)
         return NULL;
-    if (size <= b->size || widen(h, b, size)) {
+    if (size <= size_of(b) || widen(h, b, size)) {
         trim(h, b, size);
         set_asked(b, bytes);
         return p;
     }
     void *q = node_heap_alloc(h, bytes);
     if (q != NULL) {
-        memcpy(q, p, b->asked);
+        memcpy(q, p, asked_of(b));
         give_back(h, b);
     }
     return q;
@@ -425,19 +431,19 @@ static struct block *break_block(const struct node_heap *h)
 void *node_heap_break(const struct node_heap *h)
 {
     struct block *b = break_block(h);
-    return b ? bytes_of(b) + b->asked : (unsigned char *)h->top + HEAD;
+    return b ? bytes_of(b) + asked_of(b) : (unsigned char *)h->top + HEAD;
 }
 
 bool node_heap_move_break(struct node_heap *h, ptrdiff_t by)
 {
     struct block *b = break_block(h);
-    size_t before = b ? b->asked : 0;
+    size_t before = b ? asked_of(b) : 0;
     if (by < 0 && (size_t)-by > before)
         return false;
-    uint32_t size = block_size(h, before + (size_t)by);
+    size_t size = block_size(h, before + (size_t)by);
     if (by == 0 || size == 0)
         return by == 0;
-    if (b == NULL ? (b = add_block(h, size, TAG_BREAK)) == NULL : size > b->size && !widen(h, b, size))
+    if (b == NULL ? (b = add_block(h, size, TAG_BREAK)) == NULL : size > size_of(b) && !widen(h, b, size))
         return false;
     trim(h, b, size);
     if (by > 0)

@@ -25,12 +25,20 @@ enum {
     ASAN_HEAP = 3,       /* and a heap, of which freed blocks are not given out again at once */
 };
 
+/* Of a region: what a heap can have (heap.c). */
+#define LONGEST ((size_t)64 << 30)
+
 /* A region's table has room for so many. */
 enum { MOST_SPANS = (TABLE - sizeof(struct node_region)) / sizeof(struct node *) };
 
 static size_t page_up(size_t bytes)
 {
     return (bytes + PAGE - 1) / PAGE * PAGE;
+}
+
+static size_t most_nodes(const struct node_system *sys)
+{
+    return sys->count > sys->topo.positions ? sys->count : sys->topo.positions;
 }
 
 /* --- guards --- */
@@ -60,7 +68,7 @@ static bool has_light_guards(void *page)
  * stack, guard, stack, text, data; heap, guard. */
 static void choose_mappings(struct node_region *r, struct node_system *sys)
 {
-    size_t nodes = sys->count > sys->topo.positions ? sys->count : sys->topo.positions;
+    size_t nodes = most_nodes(sys);
     size_t most = most_mappings(sys);
     r->light_guards = !sys->most_mappings && has_light_guards((char *)r + TABLE);
     r->copies_text = nodes * (r->light_guards ? 2 : 8) > most;
@@ -97,27 +105,27 @@ static void *fresh(void *where, size_t bytes, int flags)
 }
 
 /* Reserves a region wherever one may begin; NULL if there is no room. */
-static void *reserve_anywhere(void)
+static void *reserve_anywhere(size_t bytes)
 {
-    char *wide = fresh(NULL, 2 * NODE_REGION, 0);
+    char *wide = fresh(NULL, bytes + NODE_REGION, 0);
     if (wide == MAP_FAILED)
         return NULL;
     char *region = wide + ((NODE_REGION_AT - (uintptr_t)wide) & (NODE_REGION - 1));
     if (region > wide)
         munmap(wide, (size_t)(region - wide));
-    munmap(region + NODE_REGION, (size_t)(wide + NODE_REGION - region));
+    munmap(region + bytes, (size_t)(wide + NODE_REGION - region));
     return region;
 }
 
 /* Reserves the first free region from `from`, where one may begin, and below `to`; NULL if there is none. */
-static void *reserve_between(uintptr_t from, uintptr_t to)
+static void *reserve_between(uintptr_t from, uintptr_t to, size_t bytes)
 {
-    for (uintptr_t at = from; at + NODE_REGION <= to; at += NODE_REGION) {
-        void *region = fresh((void *)at, NODE_REGION, MAP_FIXED_NOREPLACE);
+    for (uintptr_t at = from; at + bytes <= to; at += NODE_REGION) {
+        void *region = fresh((void *)at, bytes, MAP_FIXED_NOREPLACE);
         if (region == (void *)at)
             return region;
         if (region != MAP_FAILED)
-            munmap(region, NODE_REGION); /* an old kernel takes the address as a hint */
+            munmap(region, bytes); /* an old kernel takes the address as a hint */
     }
     return NULL;
 }
@@ -160,38 +168,47 @@ static bool map_texts(struct node_region *r, struct node_system *sys)
     return done;
 }
 
-static void *reserve(struct node_system *sys)
+static void *reserve(struct node_system *sys, size_t bytes)
 {
     const struct span_range *usual = &SPAN_RANGES[SPAN_USUAL];
-    uintptr_t from = sys->last_region ? sys->last_region + NODE_REGION : usual->from + NODE_REGION_AT;
-    void *region = reserve_between(from | (uintptr_t)1 << 31, usual->to);
+    uintptr_t from = sys->regions_end ? sys->regions_end : usual->from + NODE_REGION_AT;
+    void *region = reserve_between(from | (uintptr_t)1 << 31, usual->to, bytes);
     if (!region)
-        return reserve_anywhere();
-    sys->last_region = (uintptr_t)region;
+        return reserve_anywhere(bytes);
+    sys->regions_end = (uintptr_t)region + bytes;
     return region;
 }
 
-static void *reserve_low(void)
+static void *reserve_low(size_t bytes)
 {
     const struct span_range *low = &SPAN_RANGES[SPAN_LOW];
-    return reserve_between(low->from + NODE_REGION_AT, low->to);
+    return reserve_between(low->from + NODE_REGION_AT, low->to, bytes);
+}
+
+/* NODE_REGION, or a multiple of it for one large heap. */
+static size_t region_bytes(size_t span_bytes, size_t heap_bytes)
+{
+    size_t one = ((size_t)1 << shift_for(span_bytes)) + heap_bytes + GUARD;
+    return (one + NODE_REGION - 1) / NODE_REGION * NODE_REGION;
 }
 
 static struct node_region *region_new(struct node_system *sys, size_t span_bytes, size_t heap_bytes, bool low)
 {
-    struct node_region *r = low ? reserve_low() : reserve(sys);
+    size_t bytes = region_bytes(span_bytes, heap_bytes);
+    struct node_region *r = low ? reserve_low(bytes) : reserve(sys, bytes);
     if (!r)
         return NULL;
+    r->bytes = bytes;
     r->shift = shift_for(span_bytes);
     r->heap_bytes = heap_bytes;
     r->heap_stride = heap_bytes + GUARD;
-    size_t fit = NODE_REGION / (r->heap_stride + ((size_t)1 << r->shift));
+    size_t fit = bytes / (r->heap_stride + ((size_t)1 << r->shift));
     r->spans = (uint32_t)(fit < MOST_SPANS ? fit : MOST_SPANS);
     r->heaps_at = (uint64_t)r->spans << r->shift;
     r->low = low;
     choose_mappings(r, sys);
     if (r->copies_text && !map_texts(r, sys)) {
-        munmap(r, NODE_REGION);
+        munmap(r, bytes);
         return NULL;
     }
     r->next = sys->roomy;
@@ -272,10 +289,14 @@ static void lay_out(struct node *n, size_t slot, size_t used_bytes, size_t stack
     n->guest.stack_bytes = (size_t)(n->guest.program - n->guest.stack) - slot % COLOURS * LINE - above_bytes;
 }
 
-/* The address space of a heap: the node's memory, at most what fits beside a span. */
-static size_t heap_room(const struct node *n, size_t span_bytes, bool asan)
+/* The address space of a heap: the node's memory, at most what fits beside a span into NODE_REGION, or into
+ * the node's part of half of the usual addresses. */
+static size_t heap_room(const struct node *n, size_t span_bytes, bool long32, bool asan)
 {
-    size_t most = NODE_REGION - ((size_t)1 << shift_for(span_bytes)) - GUARD;
+    const struct span_range *usual = &SPAN_RANGES[SPAN_USUAL];
+    size_t part = (usual->to - usual->from) / 2 / most_nodes(n->sys) / NODE_REGION * NODE_REGION;
+    size_t region = long32 || part < NODE_REGION ? NODE_REGION : part < LONGEST ? part : LONGEST;
+    size_t most = region - ((size_t)1 << shift_for(span_bytes)) - GUARD;
     size_t wanted = page_up(node_memory_limit(n)) * (asan ? ASAN_HEAP : 1);
     return wanted < most ? wanted : most;
 }
@@ -286,7 +307,7 @@ bool span_take(struct node *n, const struct node_image *img, size_t program_byte
     struct node_system *sys = n->sys;
     size_t stack = page_up(sys->cfg->stack_bytes) * (asan ? ASAN_STACK : 1) + page_up(above_bytes);
     size_t bytes = HEAD + NODE_SYSTEM_STACK + GUARD + stack + 2 * PAGE + program_bytes;
-    size_t heap = heap_room(n, bytes, asan);
+    size_t heap = heap_room(n, bytes, long32, asan);
     struct node_region *r = long32 ? roomy_region(sys, bytes, heap, true) : NULL;
     if (!r)
         r = roomy_region(sys, bytes, heap, false);
@@ -329,5 +350,5 @@ void span_release(struct node *n)
     if (r->used)
         return;
     unlink_region(n->sys, r);
-    munmap(r, NODE_REGION);
+    munmap(r, r->bytes);
 }

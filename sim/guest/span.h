@@ -9,7 +9,8 @@
  * All spans of a region have one size, a power of two; all heaps have one size, too. The head of the first
  * span holds the table of the region's nodes. So a call finds its node from the stack pointer (node_self),
  * and no state is shared or thread-local. A node's parts are less than 2^30 bytes apart, since programs of
- * the time keep addresses as offsets of 32 bits from their static data. Programs whose long has 32 bits get
+ * the time keep addresses as offsets of 32 bits from their static data; only a node of more memory than that
+ * has a region that is longer, by a whole number of times. Programs whose long has 32 bits get
  * regions below 2^32 as long as there are any, the lowest first: an address below 2^31 is right even when the
  * program keeps it in an int.
  *

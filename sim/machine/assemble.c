@@ -74,12 +74,13 @@ static bool lacks_addresses(const struct node *n, char **error)
     struct rlimit allowed;
     if (getrlimit(RLIMIT_AS, &allowed) != 0 || allowed.rlim_cur == RLIM_INFINITY)
         *error = xasprintf(
-            "%s: no address space left on this computer: nodes take it by %zu MB, in two mappings; raise "
-            "vm.max_map_count (sysctl), or give nodes less memory (memory_mb), so that more share %zu MB",
+            "%s: no address space left on this computer: nodes take it by %zu MB or more, in two mappings; "
+            "raise vm.max_map_count (sysctl), or give nodes less memory (memory_mb), so that more share "
+            "%zu MB",
             n->cold->name, (size_t)NODE_REGION >> 20, (size_t)NODE_REGION >> 20);
     else
         *error = xasprintf(
-            "%s: no address space left: nodes take it by %zu MB, most of which they never touch, and "
+            "%s: no address space left: nodes take it by %zu MB or more, most of which they never touch, and "
             "ulimit -v allows %zu MB in all; ulimit -v unlimited lifts that limit",
             n->cold->name, (size_t)NODE_REGION >> 20, (size_t)allowed.rlim_cur >> 20);
     return false;

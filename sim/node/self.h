@@ -21,6 +21,7 @@ enum node_guards { NODE_GUARDS_NONE, NODE_GUARDS_STACKS, NODE_GUARDS_ALL };
 
 /* The start of a region: which nodes its spans belong to, and how spans and heaps are made. */
 struct node_region {
+    uint64_t bytes;                 /* a multiple of NODE_REGION: more than one for one large heap */
     uint64_t shift;                 /* a span has 2^shift bytes */
     uint64_t heaps_at, heap_stride; /* offset of the first heap, and from each to the next */
     uint64_t heap_bytes;            /* of each, less than heap_stride */

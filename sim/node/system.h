@@ -35,7 +35,7 @@ struct node_system {
     struct node **nodes;
     struct arena made, made_cold;  /* what nodes are made of; to be freed behind them */
     struct node_region *roomy;     /* guest: regions of address space with room for more nodes: span.h */
-    uintptr_t last_region;         /* guest: the latest that lies where all are meant to; 0: none */
+    uintptr_t regions_end;         /* guest: of the latest that lies where all are meant to; 0: none */
     _Atomic uint64_t streams_made; /* guest: of so many nodes, on any thread */
     struct span_texts *texts;      /* guest: guest/span_texts.h. NULL: none yet */
     bool isolate;                  /* only `writable` may write to its memory: isolate.h */

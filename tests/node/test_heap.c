@@ -15,6 +15,7 @@
 struct fixture {
     char *base;
     struct node_heap *heap;
+    size_t limit;
     size_t allowed; /* bytes that room() allows */
     size_t peak;    /* seen by grown() */
 };
@@ -31,21 +32,31 @@ static void grown(void *ctx, size_t used)
     x->peak = used > x->peak ? used : x->peak;
 }
 
-static int setup(void **state)
+static int set_up_bytes(void **state, size_t limit)
 {
     struct fixture *x = calloc(1, sizeof *x);
-    x->base = mmap(NULL, LIMIT, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    x->allowed = LIMIT;
-    x->heap = node_heap_new(x->base, LIMIT, room, grown, x);
+    x->base = mmap(NULL, limit, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    x->limit = x->allowed = limit;
+    x->heap = node_heap_new(x->base, limit, room, grown, x);
     *state = x;
     return x->heap == NULL;
+}
+
+static int setup(void **state)
+{
+    return set_up_bytes(state, LIMIT);
+}
+
+static int set_up_large(void **state)
+{
+    return set_up_bytes(state, (size_t)32 << 30);
 }
 
 static int teardown(void **state)
 {
     struct fixture *x = *state;
     node_heap_free(x->heap);
-    munmap(x->base, LIMIT);
+    munmap(x->base, x->limit);
     free(x);
     return 0;
 }
@@ -143,6 +154,33 @@ static void resize_stays_in_place_when_it_can(void **state)
     assert_true(moved > (char *)end);
     for (int i = 0; i < 50; i++)
         assert_int_equal(moved[i], 7);
+}
+
+/* Sizes and distances of more than 4 GB; only the blocks' ends are touched. */
+static void blocks_may_be_larger_than_4_gb(void **state)
+{
+    struct fixture *x = *state;
+    const size_t gb = (size_t)1 << 30, sizes[] = {5 * gb, 3 * gb, 9 * gb + 1, gb - 7};
+    char *p[4];
+    for (int i = 0; i < 4; i++) {
+        p[i] = node_heap_alloc(x->heap, sizes[i]);
+        assert_non_null(p[i]);
+        p[i][0] = p[i][sizes[i] - 1] = (char)i;
+        assert_int_equal(node_heap_bytes(x->heap, p[i]), sizes[i]);
+    }
+    assert_true(p[1] >= p[0] + sizes[0] && p[2] >= p[1] + sizes[1] && p[3] >= p[2] + sizes[2]);
+    assert_null(node_heap_alloc(x->heap, 15 * gb));
+    assert_int_equal(node_heap_release(x->heap, p[0]), 0);
+    assert_int_equal(node_heap_release(x->heap, p[1]), 0);
+    char *joined = node_heap_alloc(x->heap, 7 * gb);
+    assert_ptr_equal(joined, p[0]);
+    assert_ptr_equal(node_heap_resize(x->heap, joined, 8 * gb), joined);
+    assert_int_equal(p[2][0] + p[2][sizes[2] - 1] + p[3][0] + p[3][sizes[3] - 1], 10);
+    p[2][sizes[2]] = 1; /* one byte too far */
+    assert_int_equal(node_heap_release(x->heap, p[2]), -1);
+    const void *bad;
+    assert_int_equal(node_heap_check(x->heap, &bad), sizes[2]);
+    assert_ptr_equal(bad, p[2]);
 }
 
 static void foreign_and_damaged_pointers_are_refused(void **state)
@@ -290,6 +328,7 @@ int main(void)
         TEST(freed_neighbours_join),
         TEST(memory_ends_where_room_says),
         TEST(resize_stays_in_place_when_it_can),
+        cmocka_unit_test_setup_teardown(blocks_may_be_larger_than_4_gb, set_up_large, teardown),
         TEST(foreign_and_damaged_pointers_are_refused),
         TEST(freed_twice_is_refused),
         TEST(the_break_moves_without_gaps),

@@ -128,13 +128,32 @@ static void a_nodes_parts_are_near_to_each_other(void **state)
 {
     struct machine m;
     (void)state;
-    for (uint64_t memory = 2 << 20; memory <= UINT64_C(1) << 32; memory *= 2) {
+    for (uint64_t memory = 2 << 20; memory <= 512 << 20; memory *= 2) {
         cfg.memory_bytes = memory;
         take(&m, NODES, 0, false);
         for (int i = 0; i < NODES; i++) {
             const struct node *n = &m.node[i];
             assert_true(n->guest.heap_start + n->guest.region->heap_bytes - n->guest.stack < 1L << 30);
             assert_true(n->guest.heap_start > n->guest.program);
+        }
+        release(&m);
+    }
+    cfg.memory_bytes = 16 << 20;
+}
+
+static void a_node_has_addresses_for_all_of_its_memory(void **state)
+{
+    struct machine m;
+    (void)state;
+    for (uint64_t memory = 1 << 30; memory <= UINT64_C(32) << 30; memory *= 2) {
+        cfg.memory_bytes = memory;
+        take(&m, NODES, 0, false);
+        for (int i = 0; i < NODES; i++) {
+            char *heap = m.node[i].guest.heap_start;
+            assert_true(m.node[i].guest.region->heap_bytes >= memory - cfg.system_bytes);
+            assert_true(is_there(heap) && is_there(heap + m.node[i].guest.region->heap_bytes - 1));
+            for (int j = 0; j < NODES; j++)
+                assert_int_equal(node_owns(&m.node[j], (uintptr_t)heap + memory / 2), i == j);
         }
         release(&m);
     }
@@ -189,6 +208,7 @@ int main(void)
         cmocka_unit_test(guards_are_given_up_when_there_are_too_many_nodes_for_them),
         cmocka_unit_test(all_memory_tells_whose_it_is),
         cmocka_unit_test(a_nodes_parts_are_near_to_each_other),
+        cmocka_unit_test(a_node_has_addresses_for_all_of_its_memory),
         cmocka_unit_test(an_address_above_4_gb_is_nobodys_if_a_program_keeps_it_in_an_int),
         cmocka_unit_test(a_cube_of_programs_with_a_long_of_32_bits_lies_below_2_gb),
     };
