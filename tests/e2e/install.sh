@@ -142,3 +142,14 @@ check "make uninstall" touchstone_make uninstall
 left() { [ "$(cd "$stage/opt/nx" && find . | LC_ALL=C sort | xargs)" = ". ./bin ./bin/own ./share ./share/man ./share/man/man1" ]; }
 check "leaves what was there before" left
 check "make uninstall of nothing is no error" touchstone_make uninstall
+
+# PREFIX and the folder above it are new, and between two installations somebody puts a file into one of touchstone's folders.
+stage=$work/new
+check "make install into a new folder" touchstone_make install
+own=$stage/opt/nx/share/touchstone/python/__pycache__
+mkdir "$own"
+check "make install over it, with a file of another's in it" touchstone_make install
+check "keeps that" test -d "$own"
+rmdir "$own"
+check "make uninstall again" touchstone_make uninstall
+check "leaves no folder that make install made, PREFIX among them" test "$(find "$stage")" = "$stage"
