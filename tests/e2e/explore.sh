@@ -73,6 +73,11 @@ check "many orders: many outcomes" test "$outcomes" -gt 12
 check "eight are shown" test "$(grep -cE '^  [0-9]+\. ' out)" = 8
 check "the rest is counted" grep -qx "  and $((outcomes - 9)) more outcomes: --json FILE has all" out
 
+explore of/first-mixed -n 6 --runs 20 first
+check "lines in any order: all the same" grep -qE '^first: 20 runs, [0-9]+ orders: all the same$' out
+check "that the order of lines differs is said" \
+    grep -qE '^             \(in [1-9][0-9]* of them in another order of lines: --ordered compares that, too\)$' out
+
 # --- ten programs ---
 grep -v '^#' "$programs/programs.txt" | while read -r source nodes depth bad _ good; do
     name=${source%.*}

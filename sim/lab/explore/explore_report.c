@@ -163,6 +163,10 @@ static void print_usual(const struct search *s, FILE *out)
     const struct outcome_group *base = &s->outcomes[0];
     fprintf(out, "  usual      %s; the same in %zu of %zu runs\n", text_of(base->record, "end"), base->runs,
             s->run_count);
+    if (base->reordered)
+        fprintf(out,
+                "             (in %zu of them in another order of lines: --ordered compares that, too)\n",
+                base->reordered);
     print_indented(text_of(base->record, "message"), MOST_LINES, out);
 }
 
