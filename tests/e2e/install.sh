@@ -133,6 +133,10 @@ versions() {
 }
 check "changelog, citation and programs have one version" versions
 
+packages() { sed -n 's/^Package: //p' "$root/debian/control" | grep -v -e -doc$ | LC_ALL=C sort; }
+in_image() { grep -oE '/packages/[a-z-]+_' "$root/Dockerfile" | sed -E 's,/packages/(.*)_,\1,' | LC_ALL=C sort; }
+check "the container's image has all packages but the documents" diff <(packages) <(in_image)
+
 # (An older installation had a file that there is no more.)
 echo old >"$stage/opt/nx/lib/touchstone/old.so"
 sed -i '$i lib/touchstone/old.so' "$stage/opt/nx/lib/touchstone/installed"

@@ -61,7 +61,7 @@ static const char DOC[] =
     "The waits of all nodes are divided by cause, to the picosecond: late sender (the message had not been "
     "sent), late receiver (a long message had to wait for its receive), channel busy, handler busy (the "
     "partner was in a handler), system: other messages (a processor was busy with these), disk, and the "
-    "message's own way. With --nodes, those of some nodes.\v"
+    "message's own way. With --nodes, only the waits of these nodes count.\v"
     "With --rerun, --set or --cpu the command of the trace runs again in its folder, with numbers of the "
     "machine changed: exact answers. First it runs unchanged; if it takes another time than the trace says, "
     "the program or its input has changed, and trace why stops. /cfs is a copy.\n\n"
