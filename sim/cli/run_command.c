@@ -168,6 +168,15 @@ static bool results_possible(const struct arguments *a, char **error)
     return true;
 }
 
+/* Has the run one of the nodes of --trace-nodes? */
+static bool traces_some(const struct arguments *a)
+{
+    for (uint32_t i = 0; i < a->trace.node_count && i < a->what.nodes; i++)
+        if (a->traced_nodes[i])
+            return true;
+    return false;
+}
+
 static void check(struct argp_state *state, struct arguments *a)
 {
     if (written_files(a, true) > 1)
@@ -178,6 +187,8 @@ static void check(struct argp_state *state, struct arguments *a)
         argp_error(state, "--profile is for programs that are on all nodes from the start, not with --host");
     if (!a->trace.path && (a->trace.from || a->trace.to || a->traced_nodes))
         argp_error(state, "--trace-from, --trace-to and --trace-nodes need --trace FILE");
+    if (a->traced_nodes && a->what.nodes && !traces_some(a))
+        argp_error(state, "--trace-nodes: nodes are 0 to %u", a->what.nodes - 1);
     if (a->sensitivity && (a->stop.wanted || a->timing.drawn || a->timing.replay || a->timing.until))
         argp_error(state,
                    "--sensitivity is of the usual timing to the end: not with --gdb, --timing, --replay "

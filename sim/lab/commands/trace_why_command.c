@@ -117,7 +117,7 @@ static struct why *why_of(const char *path, const struct trace_selection *select
 {
     char *error = NULL;
     struct trace *t = trace_load(path, &(struct trace_selection){select->from, select->to, NULL, 0}, &error);
-    if (t && t->to > t->from) {
+    if (t && t->to > t->from && trace_has_nodes(t, select, &error)) {
         cli_trace_warn("trace why", t, path);
         return why_new(t, &(struct wait_nodes){select->nodes, select->node_count});
     }
