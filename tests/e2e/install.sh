@@ -11,6 +11,7 @@ there() { (cd "$stage/opt/nx" && find . ! -type d | sed 's,^\./,,' | LC_ALL=C so
 mkdir -p "$stage/opt/nx/bin" "$stage/opt/nx/share/man/man1"
 echo own >"$stage/opt/nx/bin/own"
 check "make install" touchstone_make install
+check "says where" grep -qx "touchstone is installed in $stage/opt/nx; its commands are in $stage/opt/nx/bin." make.log
 there >list
 check "nothing is put elsewhere" test -s list -a "$(find "$stage" ! -type d | wc -l)" = "$(wc -l <list)"
 
@@ -146,6 +147,7 @@ check "make uninstall" touchstone_make uninstall
 left() { [ "$(cd "$stage/opt/nx" && find . | LC_ALL=C sort | xargs)" = ". ./bin ./bin/own ./share ./share/man ./share/man/man1" ]; }
 check "leaves what was there before" left
 check "make uninstall of nothing is no error" touchstone_make uninstall
+check "and says so" grep -qx "Nothing of touchstone is installed in $stage/opt/nx (PREFIX=/opt/nx)." make.log
 
 # PREFIX and the folder above it are new, and between two installations somebody puts a file into one of touchstone's folders.
 stage=$work/new
