@@ -47,11 +47,10 @@ static void print_kinds(const struct search *s, FILE *out)
     size_t pct = s->seeds / 2;
     fprintf(out, "  runs       the usual timing; %zu random, %zu in the manner of PCT, %zu directed\n",
             s->seeds - pct, pct, s->directed);
-    fprintf(
-        out,
-        "  orders     %zu different; %zu other%s not run, since a run had begun so; %zu beyond the bounds; "
-        "%zu left\n",
-        s->orders.count, s->pruned, plural(s->pruned), s->out_of_bounds, s->flip_count);
+    fprintf(out,
+            "  orders     %zu different; %zu other%s not run, as earlier runs began that way; %zu beyond the "
+            "bounds; %zu left\n",
+            s->orders.count, s->pruned, plural(s->pruned), s->out_of_bounds, s->flip_count);
 }
 
 /* How many runs of that depth were made: seeds go round (search.c). */
@@ -178,7 +177,10 @@ static void print_summary(const struct explore *x, FILE *out)
             plural(s->run_count), s->orders.count, plural(s->orders.count));
     bool fails = !explore_usual_ended(x);
     if (s->outcome_count == 1)
-        fprintf(out, "%s\n", fails ? "all fail, with the usual timing, too" : "all the same");
+        fprintf(out, "%s\n",
+                fails                      ? "all fail, with the usual timing, too"
+                : s->outcomes[0].reordered ? "all the same, but for the order of lines"
+                                           : "all the same");
     else
         fprintf(out, "%zu outcome%s differ%s from that of the usual timing%s\n", s->outcome_count - 1,
                 plural(s->outcome_count - 1), s->outcome_count == 2 ? "s" : "", fails ? ", which fails" : "");
