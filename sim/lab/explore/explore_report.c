@@ -47,10 +47,11 @@ static void print_kinds(const struct search *s, FILE *out)
     size_t pct = s->seeds / 2;
     fprintf(out, "  runs       the usual timing; %zu random, %zu in the manner of PCT, %zu directed\n",
             s->seeds - pct, pct, s->directed);
-    fprintf(out,
-            "  orders     %zu different; %zu other%s not run, as earlier runs began that way; %zu beyond the "
-            "bounds; %zu left\n",
-            s->orders.count, s->pruned, plural(s->pruned), s->out_of_bounds, s->flip_count);
+    fprintf(
+        out,
+        "  orders     %zu different; %zu other%s not run, since a run had begun so; %zu beyond the bounds; "
+        "%zu left\n",
+        s->orders.count, s->pruned, plural(s->pruned), s->out_of_bounds, s->flip_count);
 }
 
 /* How many runs of that depth were made: seeds go round (search.c). */
