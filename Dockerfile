@@ -24,7 +24,7 @@ RUN cd /source && package/deb /packages
 FROM $DEBIAN
 COPY --from=build /packages/*.deb /packages/
 RUN apt-get -q update && DEBIAN_FRONTEND=noninteractive apt-get -q install -y --no-install-recommends \
-        fonts-dejavu-core gnuplot-nox /packages/touchstone_*.deb /packages/libnx-mpi-dev_*.deb && \
+        fonts-dejavu-core gnuplot-nox /packages/touchstone_*.deb /packages/touchstone-lab_*.deb /packages/libnx-mpi-dev_*.deb && \
     rm -rf /packages /var/lib/apt/lists/*
 ENV LC_ALL=C.UTF-8
 WORKDIR /work

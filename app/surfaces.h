@@ -1,4 +1,4 @@
-/* surfaces.h - what becomes of the surfaces after the work: their files, and what the user is told. */
+/* surfaces.h - what becomes of the surfaces after the work: their files, and what is printed of them. */
 #ifndef SURFACES_H
 #define SURFACES_H
 #include "options.h"

@@ -135,7 +135,7 @@ static const char *const texts[MPI_FINDINGS] = {
     [OTHER_OPS] = "operations differ",
     [OTHER_AMOUNTS] = "counts or datatypes differ",
     [OTHER_TYPES] = "datatypes differ",
-    [ONE_MEMORY] = "memory is sent and received in at once",
+    [ONE_MEMORY] = "a call sends and receives in the same memory",
     [NOT_FINALIZED] = "MPI_Finalize never called",
 };
 

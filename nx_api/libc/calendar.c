@@ -51,7 +51,7 @@ int ftime(struct timeb *t)
     return 0;
 }
 
-/* Times are told to the nanosecond. */
+/* The node's clocks have nanoseconds. */
 int clock_getres(clockid_t clock, struct timespec *least)
 {
     (void)clock;

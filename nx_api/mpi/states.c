@@ -192,7 +192,7 @@ static const struct flat_taken *taken_of(const struct flat *f)
     return (const void *)(receives_of(f) + f->node.receive_count);
 }
 
-/* The source lines of all places that are told. */
+/* The source lines of all places in the report. */
 static struct lines *find_lines(uint32_t nodes)
 {
     size_t count = 0, most = 0;

@@ -26,7 +26,10 @@ struct arguments {
 /* --- options of all of them --- */
 
 static const struct argp_option OPTIONS[] = {
-    {NULL, 'c', "NAME", 0, "The cube; default the one that this terminal got last or is attached to", 1},
+    {NULL, 'c', "NAME", 0,
+     "Name of the cube; getcube takes 'default' by default, the others the cube that this terminal got last "
+     "or is attached to",
+     1},
     {"socket", CLI_TEXT(arguments, socket), "PATH", 0,
      "Where the service listens; default $TOUCHSTONE_SRM, else its usual place", 1},
     {0}};

@@ -135,15 +135,46 @@ static const char DOC[] =
     "Example:\n"
     "  nxcc -O2 -o ring ring.c && touchstone run -m ipsc860 -n 16 ring";
 
+struct written {
+    const char *files[8]; /* NULL: not asked for */
+};
+
+/* The files that a run may write. */
+static struct written written_by(const struct arguments *a)
+{
+    return (struct written){
+        {a->json, a->deadlock, a->races, a->profile, a->history, a->trace.path, a->timing.record, a->sarif}};
+}
+
+enum { MOST_WRITTEN = sizeof(struct written) / sizeof(char *) };
+
 /* How many of the files that a run may write, or of these, with only_dash, standard output. */
 static int written_files(const struct arguments *a, bool only_dash)
 {
-    const char *const files[] = {a->json,    a->deadlock,   a->races,         a->profile,
-                                 a->history, a->trace.path, a->timing.record, a->sarif};
+    struct written w = written_by(a);
     int count = 0;
-    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
-        count += files[i] && (!only_dash || !strcmp(files[i], "-"));
+    for (size_t i = 0; i < MOST_WRITTEN; i++)
+        count += w.files[i] && (!only_dash || !strcmp(w.files[i], "-"));
     return count;
+}
+
+/* A run that takes an hour should not end with a result that has no folder. */
+static bool results_possible(const struct arguments *a, char **error)
+{
+    struct written w = written_by(a);
+    for (size_t i = 0; i < MOST_WRITTEN; i++)
+        if (w.files[i] && !atomic_file_possible(w.files[i], error))
+            return false;
+    return true;
+}
+
+/* Has the run one of the nodes of --trace-nodes? */
+static bool traces_some(const struct arguments *a)
+{
+    for (uint32_t i = 0; i < a->trace.node_count && i < a->what.nodes; i++)
+        if (a->traced_nodes[i])
+            return true;
+    return false;
 }
 
 static void check(struct argp_state *state, struct arguments *a)
@@ -156,6 +187,8 @@ static void check(struct argp_state *state, struct arguments *a)
         argp_error(state, "--profile is for programs that are on all nodes from the start, not with --host");
     if (!a->trace.path && (a->trace.from || a->trace.to || a->traced_nodes))
         argp_error(state, "--trace-from, --trace-to and --trace-nodes need --trace FILE");
+    if (a->traced_nodes && a->what.nodes && !traces_some(a))
+        argp_error(state, "--trace-nodes: nodes are 0 to %u", a->what.nodes - 1);
     if (a->sensitivity && (a->stop.wanted || a->timing.drawn || a->timing.replay || a->timing.until))
         argp_error(state,
                    "--sensitivity is of the usual timing to the end: not with --gdb, --timing, --replay "
@@ -460,8 +493,8 @@ static int run_with_files(const struct arguments *a, struct machine_options *o)
 {
     struct run_files files;
     int ended_by = 0;
-    char *error = run_files_begin(&files, a->history, a->timing.record);
-    if (error)
+    char *error = NULL;
+    if (!results_possible(a, &error) || (error = run_files_begin(&files, a->history, a->timing.record)))
         return output_error(error);
     o->history = files.history.out, o->schedule = files.schedule.out;
     int status = run_machine(a, o, &ended_by);

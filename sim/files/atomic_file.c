@@ -20,10 +20,14 @@ static void forget(struct atomic_file *f)
     free(f->unfinished);
 }
 
+static char *cannot_be_written(const char *path, int why)
+{
+    return xasprintf("%s cannot be written: %s", strcmp(path, "-") ? path : "standard output", strerror(why));
+}
+
 static bool fail(struct atomic_file *f, int why, char **error)
 {
-    *error = xasprintf("%s cannot be written: %s", strcmp(f->path, "-") ? f->path : "standard output",
-                       strerror(why));
+    *error = cannot_be_written(f->path, why);
     if (f->unfinished)
         unlink(f->unfinished);
     forget(f);
@@ -34,6 +38,39 @@ static bool is_written_through(const char *path)
 {
     struct stat st;
     return lstat(path, &st) == 0 && !S_ISREG(st.st_mode);
+}
+
+/* The folder of the path, malloc'd, with / behind it unless it is the current one. */
+static char *folder_of(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? xstrndup(path, (size_t)(slash - path) + 1) : xstrdup(".");
+}
+
+/* Why what is at the path cannot be written into, as an errno; 0: it can, or a link leads to no file yet. */
+static int obstacle_in(const char *path)
+{
+    struct stat st;
+    if (stat(path, &st) != 0)
+        return 0;
+    return S_ISDIR(st.st_mode) ? EISDIR : access(path, W_OK) == 0 ? 0 : errno;
+}
+
+/* Why no file can be made in the folder of the path, as an errno; 0: it can. */
+static int obstacle_beside(const char *path)
+{
+    char *folder = folder_of(path);
+    int why = access(folder, W_OK | X_OK) == 0 ? 0 : errno;
+    free(folder);
+    return why;
+}
+
+bool atomic_file_possible(const char *path, char **error)
+{
+    if (!strcmp(path, "-"))
+        return true;
+    int why = is_written_through(path) ? obstacle_in(path) : obstacle_beside(path);
+    return !why || (*error = cannot_be_written(path, why), false);
 }
 
 /* The name is random, not made of the process id: processes of several computers may share the folder. */
@@ -73,7 +110,7 @@ static bool is_unfinished(const char *entry, const void *name)
 void atomic_file_remove_left(const char *path)
 {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
-    char *folder = slash ? xstrndup(path, (size_t)(slash - path) + 1) : xstrdup(".");
+    char *folder = folder_of(path);
     left_over_remove_all(folder, is_unfinished, name);
     free(folder);
 }

@@ -17,6 +17,10 @@ struct atomic_file {
     int lock;         /* which says that its process lives; -1: none */
 };
 
+/* Could the file be begun now? False with *error, a malloc'd text for the user. For results of long work,
+ * before it. Opens nothing. */
+bool atomic_file_possible(const char *path, char **error);
+
 /* Opens f->out for writing. False with *error, a malloc'd text for the user. */
 bool atomic_file_begin(struct atomic_file *f, const char *path, char **error);
 /* Closes the file and, if all was written, gives it its name. False with *error malloc'd: nothing was left

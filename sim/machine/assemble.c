@@ -55,7 +55,8 @@ static bool fits(const struct node *n, const struct node_image *img, char **erro
     if (program + stack <= node_memory_limit(n))
         return true;
     *error = xasprintf(
-        "%s does not fit: program %zu bytes and stack %zu bytes, but a node of %s leaves %zu to programs",
+        "%s does not fit: program %zu bytes and stack %zu bytes, but a node of %s leaves %zu to programs; "
+        "--set node.memory_mb=N gives more",
         node_image_path(img), program, stack, n->sys->cfg->name, node_memory_limit(n));
     return false;
 }

@@ -108,9 +108,9 @@ struct cube_entry *cubes_get(struct cubes *c, const char *name, const char *type
     if (!*type && !c->allocation.cube)
         t.rows = c->allocation.rows, t.columns = c->allocation.columns;
     if (!allocation_possible(&c->allocation, &t))
-        return *error = xasprintf("type \"%s\": %s has no %u nodes so, it is a %s of %u", type,
-                                  c->machine->name, t.nodes, c->allocation.cube ? "hypercube" : "mesh",
-                                  allocation_all(&c->allocation)),
+        return *error = xasprintf("type \"%s\": a %s of %u nodes does not fit in %s, a %s of %u", type,
+                                  c->allocation.cube ? "cube" : "rectangle", t.nodes, c->machine->name,
+                                  c->allocation.cube ? "hypercube" : "mesh", allocation_all(&c->allocation)),
                NULL;
     *e = (struct cube_entry){.since = time(NULL)};
     if (!allocation_take(&c->allocation, &t, number_of(c, e), &e->piece))

@@ -301,7 +301,8 @@ struct plan *plan_read(const char *path, char **error)
     int line;
     char *text = text_file_read(path, MOST_BYTES, &why, &line);
     if (!text) {
-        *error = line ? xasprintf("%s:%d: %s", path, line, why) : xasprintf("%s: %s", path, why);
+        *error =
+            line ? xasprintf("%s:%d: %s", path, line, why) : xasprintf("%s cannot be read: %s", path, why);
         return NULL;
     }
     struct reader r = {.plan = xcalloc(1, sizeof *r.plan)};

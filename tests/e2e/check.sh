@@ -100,6 +100,7 @@ check "and is the baseline from then on" ended_with 0
 sed -i 's/( 0.5 )/( 0.5, 3 )/' halves.cfg
 gate b.json halves.cfg --junit j.xml
 check "a point that fails is a failure" ended_with 1
+check "and --update is not offered, which could not take it" eval '! shows "give the same command with --update"'
 check "with how it ended" shows '^FAILED  halves: nodes 4, share 3, call_us 50: exit status 1'
 check "an error in JUnit" grep -q 'errors="1"' j.xml
 cp b.json kept.json

@@ -73,6 +73,11 @@ check "many orders: many outcomes" test "$outcomes" -gt 12
 check "eight are shown" test "$(grep -cE '^  [0-9]+\. ' out)" = 8
 check "the rest is counted" grep -qx "  and $((outcomes - 9)) more outcomes: --json FILE has all" out
 
+explore of/first-mixed -n 6 --runs 20 first
+check "lines in any order: all the same" grep -qE '^first: 20 runs, [0-9]+ orders: all the same, but for the order of lines$' out
+check "that the order of lines differs is said" \
+    grep -qE '^             \(in [1-9][0-9]* of them in another order of lines: --ordered compares that, too\)$' out
+
 # --- ten programs ---
 grep -v '^#' "$programs/programs.txt" | while read -r source nodes depth bad _ good; do
     name=${source%.*}
@@ -144,7 +149,7 @@ END
 build same.c same
 explore of/same -n 4 --runs 60 same
 check "receives in any order, one sum: all the same" ended_with 0
-check "the report says so, of several orders" grep -qE '^same: 60 runs, [0-9]{1,2} orders: all the same$' out
+check "the report says so, of several orders" grep -qE '^same: 60 runs, [0-9]{1,2} orders: all the same, but for the order of lines$' out
 check "the orders are all there are, or fewer" test "$(sed -nE 's/^same: 60 runs, ([0-9]+) orders.*/\1/p' out)" -le 6
 check "and more than one" test "$(sed -nE 's/^same: 60 runs, ([0-9]+) orders.*/\1/p' out)" -ge 4
 explore ordered -n 4 --runs 20 --ordered same

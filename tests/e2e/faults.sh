@@ -147,7 +147,7 @@ else
     status=$?
     check "a read-only folder: status 74" ended_with 74
     check "a read-only folder: said" said 'locked/a.json.*cannot be written: Permission denied'
-    check "a read-only folder: what the program printed is there" cmp out plain
+    check "a read-only folder: the program is not run for nothing" test ! -s out
     printf 'program = "ring";\nmachine = "delta";\naxes = ( { name = "nodes"; values = ( 1, 2 ); } );\n' >s.cfg
     "${user[@]}" "$BUILD/touchstone" study s.cfg -o locked/s >out 2>err
     status=$?

@@ -11,6 +11,7 @@ there() { (cd "$stage/opt/nx" && find . ! -type d | sed 's,^\./,,' | LC_ALL=C so
 mkdir -p "$stage/opt/nx/bin" "$stage/opt/nx/share/man/man1"
 echo own >"$stage/opt/nx/bin/own"
 check "make install" touchstone_make install
+check "says where" grep -qx "touchstone is installed in $stage/opt/nx; its commands are in $stage/opt/nx/bin." make.log
 there >list
 check "nothing is put elsewhere" test -s list -a "$(find "$stage" ! -type d | wc -l)" = "$(wc -l <list)"
 
@@ -133,6 +134,10 @@ versions() {
 }
 check "changelog, citation and programs have one version" versions
 
+packages() { sed -n 's/^Package: //p' "$root/debian/control" | grep -v -e -doc$ | LC_ALL=C sort; }
+in_image() { grep -oE '/packages/[a-z-]+_' "$root/Dockerfile" | sed -E 's,/packages/(.*)_,\1,' | LC_ALL=C sort; }
+check "the container's image has all packages but the documents" diff <(packages) <(in_image)
+
 # (An older installation had a file that there is no more.)
 echo old >"$stage/opt/nx/lib/touchstone/old.so"
 sed -i '$i lib/touchstone/old.so' "$stage/opt/nx/lib/touchstone/installed"
@@ -142,3 +147,15 @@ check "make uninstall" touchstone_make uninstall
 left() { [ "$(cd "$stage/opt/nx" && find . | LC_ALL=C sort | xargs)" = ". ./bin ./bin/own ./share ./share/man ./share/man/man1" ]; }
 check "leaves what was there before" left
 check "make uninstall of nothing is no error" touchstone_make uninstall
+check "and says so" grep -qx "Nothing of touchstone is installed in $stage/opt/nx (PREFIX=/opt/nx)." make.log
+
+# PREFIX and the folder above it are new, and between two installations somebody puts a file into one of touchstone's folders.
+stage=$work/new
+check "make install into a new folder" touchstone_make install
+own=$stage/opt/nx/share/touchstone/python/__pycache__
+mkdir "$own"
+check "make install over it, with a file of another's in it" touchstone_make install
+check "keeps that" test -d "$own"
+rmdir "$own"
+check "make uninstall again" touchstone_make uninstall
+check "leaves no folder that make install made, PREFIX among them" test "$(find "$stage")" = "$stage"

@@ -30,6 +30,8 @@ python3 "$tests/manual_check.py" "$root" source build || check "all is looked at
 contents() { python3 -c 'import sys; sys.path.insert(0, sys.argv[1]); import stage; print(stage.chapters(sys.argv[2]))' "$root/doc/manual/pages" "$1"; }
 contents 'first' >contents
 check "pages that no part names are in the contents" grep -qx 'trace-why' contents
+placed() { contents "$(cat "$root/doc/manual/index.md")" >contents && ! grep -qF ':caption: More' contents; }
+check "each page of the manual has its part" placed
 refuses() { ! contents 'no-such-page' 2>err && said 'there is no page no-such-page'; }
 check "a page that is not there is an error" refuses
 

@@ -75,7 +75,7 @@ check "a program of 9 MB: fits a node of 16 MB" ended_with 0
 run -m ipsc860-8mb field
 check "a program of 9 MB: not a node of 8 MB" ended_with 65
 check "a program of 9 MB: sizes and machine are named" \
-    said 'does not fit: program 9[0-9]{6} bytes and stack 524288 bytes, but a node of ipsc860-8mb leaves 6815744'
+    said 'does not fit: program 9[0-9]{6} bytes and stack 524288 bytes, but a node of ipsc860-8mb leaves 6815744 to programs; --set node.memory_mb=N gives more$'
 
 # A block takes its bytes rounded up to 16, and 16 more.
 peak() {

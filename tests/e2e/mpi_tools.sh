@@ -164,7 +164,7 @@ times >plain
 check "own parts that lie in place are gathered and scattered" [ "$status:$(sort out | xargs)" = "0:rank 0 has 16 rank 1 has 32 rank 2 has 48 rank 3 has 64" ]
 same_times -m delta -n 4 --mpi-checks own_part
 while IFS='|' read -r call nodes; do
-    check "$call: memory that is sent and received in is told" told "MPI: memory is sent and received in at once: $call at $(line own_part.c "$call(")" "MPI_IN_PLACE" "$nodes"
+    check "$call: memory in which one call sends and receives is reported" told "MPI: a call sends and receives in the same memory: $call at $(line own_part.c "$call(")" "MPI_IN_PLACE" "$nodes"
 done <<'END'
 MPI_Allgather|4 times, on nodes 0-3
 MPI_Iallgather|4 times, on nodes 0-3

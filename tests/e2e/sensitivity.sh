@@ -59,7 +59,7 @@ check "the files of /cfs stay as the run left them" eval 'echo mine | cmp - file
 page=$tests/../../doc/what-if.md
 (cd "$BUILD/.." && bash -e -c "$(grep -h -- 'touchstone run --sensitivity' "$page" | sed "s,build/,$BUILD/,")") >out 2>err
 check "the page's command" test "$?" = 0
-check "has the page's rows" test "$(grep -A3 '^What the time of model' "$page" | grep -cFxf err)" = 4
+check "has the page's rows" test "$(grep -A3 '^The time of model' "$page" | grep -cFxf err)" = 4
 
 # Faults.
 ask sensitivity 0

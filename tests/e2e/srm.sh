@@ -154,7 +154,7 @@ cp err first
 "$BUILD/touchstone" run -m delta --set topology.rows=2 --set topology.columns=8 -n 16 ring 2>&1 >/dev/null | sed '/wall time/d' >plain
 check "the program has that shape" cmp plain first
 ask getcube -t 17x1 -c c
-check "more rows than there are" said 'delta has no 17 nodes so'
+check "more rows than there are" said 'a rectangle of 17 nodes does not fit in delta, a mesh of '
 service=$(cat srm.lock)
 kill "$service"
 gone "$service"

@@ -155,6 +155,8 @@ printf 'touchstone-schedule 1\nnodes 4\n\nmessage 9 0 1\n' >bad
 run -q -n 4 --replay bad first_comes
 check "a wrong schedule: exit status 65" ended_with 65
 check "the error names file and line" said '^touchstone run: bad:4: message: there is no node 9'
+run -q -n 4 --replay missing.schedule first_comes
+check "a schedule that is not there" said '^touchstone run: missing.schedule cannot be read: No such file'
 run -q -n 3 --replay hand first_comes
 check "a schedule for another number of nodes is refused" said 'hand is the schedule of a run on 4 nodes, and this one has 3'
 run -q -n 4 --timing 3,depth=x first_comes

@@ -80,5 +80,14 @@ check "a damaged trace does no harm" test $? -le 65
 check "--trace-from without --trace" grep -q 'need --trace FILE' err
 "$BUILD/touchstone" run -q --trace x.trace --trace-nodes 3- -n 2 ring >out 2>err
 check "--trace-nodes: a wrong list" grep -q "takes nodes such as 0-7,12, not '3-'" err
+"$BUILD/touchstone" run -q --trace x.trace --trace-nodes 3 -n 2 ring >out 2>err
+check "--trace-nodes: none of the run's" grep -q -e '--trace-nodes: nodes are 0 to 1' err
+for command in "trace info" "trace show" "trace why" "trace export -f csv --table waits" "page x.html"; do
+    # shellcheck disable=SC2086
+    "$BUILD/touchstone" $command --nodes 8-9 part.trace >out 2>err
+    check "$command: nodes that the run has not" eval "test $? = 65 && said 'part.trace has none of these nodes: it has nodes 0 to 7'"
+done
+"$BUILD/touchstone" trace show --nodes 4 part.trace >out 2>err
+check "trace show: a node that was not traced" said 'has nothing of these nodes: they were not traced'
 "$BUILD/touchstone" run -q --trace /nowhere/x.trace -n 2 ring >out 2>err
 check "a folder that is not there: exit status" test $? = 74

@@ -85,6 +85,31 @@ static void a_result_is_there_whole_or_not_at_all(void **state)
     assert_int_equal(system("test $(ls | wc -l) = 1"), 0);
 }
 
+static void check_impossible(const char *path, const char *why)
+{
+    char *error = NULL;
+    assert_false(atomic_file_possible(path, &error));
+    assert_string_equal(error, why);
+    free(error);
+}
+
+static void a_result_that_has_no_place_is_known_before_the_work(void **state)
+{
+    char *error = NULL;
+    (void)state;
+    put("old", "old");
+    assert_int_equal(mkdir("folder", 0777), 0);
+    assert_int_equal(symlink("missing/x", "link"), 0);
+    for (size_t i = 0; i < 6; i++)
+        assert_true(atomic_file_possible(
+            (const char *[]){"-", "new", "old", "folder/new", "/dev/null", "link"}[i], &error));
+    check_impossible("missing/new", "missing/new cannot be written: No such file or directory");
+    check_impossible("old/new", "old/new cannot be written: Not a directory");
+    check_impossible("folder", "folder cannot be written: Is a directory");
+    check_text("old", "old");
+    assert_int_equal(system("test $(ls | wc -l) = 3"), 0);
+}
+
 /* Of a file that a killed process was writing something is left; of one that is being written, too. */
 static void only_what_nobody_writes_is_left_over(void **state)
 {
@@ -357,6 +382,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST(a_result_is_there_whole_or_not_at_all),
+        TEST(a_result_that_has_no_place_is_known_before_the_work),
         TEST(only_what_nobody_writes_is_left_over),
         TEST(a_link_stays_and_its_target_is_written),
         TEST(a_pipe_gets_what_is_written),

@@ -6,6 +6,7 @@
 #include <cmocka.h>
 
 #include <stdio.h>
+#include <string.h>
 #include "lab/why/critical_path.h"
 #include "lab/why/wait_causes.h"
 #include "made_trace.h"
@@ -167,7 +168,7 @@ static void late_receiver(void **state)
     made_long(&t, 20, 50, 65);
     struct found f = find(&t);
     is_path(&f.path, (struct expected[]){{20, WHY_COMPUTING, 1},
-                                         {5, WHY_STOLEN, 1},
+                                         {5, WHY_OTHER_MESSAGES, 1},
                                          {25, WHY_COMPUTING, 1},
                                          {10, WHY_NETWORK, TRACE_NONE},
                                          {5, WHY_MESSAGE, 0},
@@ -176,7 +177,7 @@ static void late_receiver(void **state)
                                          {0}});
     waited(&f, 0, WAIT_NETWORK, 1, 8 + 10 + 20);
     waited(&f, 0, WAIT_LATE_RECEIVER, 1, 25);
-    waited(&f, 0, WAIT_STOLEN, 1, 5);
+    waited(&f, 0, WAIT_OTHER_MESSAGES, 1, 5);
     waited(&f, 1, WAIT_NETWORK, 0, 30);
     waited(&f, 1, WAIT_MESSAGE, 0, 5);
     drop(&t, &f);
@@ -201,7 +202,7 @@ static void early_receiver(void **state)
     is_path(&f.path, (struct expected[]){{10, WHY_COMPUTING, 0},
                                          {2, WHY_CALLS, 0},
                                          {8, WHY_NETWORK, TRACE_NONE},
-                                         {10, WHY_STOLEN, 1},
+                                         {10, WHY_OTHER_MESSAGES, 1},
                                          {20, WHY_MESSAGE, 1},
                                          {10, WHY_NETWORK, TRACE_NONE},
                                          {5, WHY_MESSAGE, 0},
@@ -211,7 +212,7 @@ static void early_receiver(void **state)
     waited(&f, 1, WAIT_LATE_SENDER, 0, 7);
     waited(&f, 0, WAIT_LATE_RECEIVER, 1, 0);
     waited(&f, 0, WAIT_MESSAGE, 1, 20);
-    waited(&f, 0, WAIT_STOLEN, 1, 10);
+    waited(&f, 0, WAIT_OTHER_MESSAGES, 1, 10);
     drop(&t, &f);
 }
 
@@ -298,7 +299,7 @@ static void handler_in_the_way(void **state)
 }
 
 /* While node 1 waits, the sender's processor receives other messages, and its own does, too. */
-static void processor_stolen(void **state)
+static void processors_are_busy_with_other_messages(void **state)
 {
     (void)state;
     struct trace t = made_trace(2, 100);
@@ -311,16 +312,16 @@ static void processor_stolen(void **state)
     made_message(&t, s, r, 1, 10, 70, 70, 80, 95);
     struct found f = find(&t);
     is_path(&f.path, (struct expected[]){{20, WHY_COMPUTING, 0},
-                                         {30, WHY_STOLEN, 0},
+                                         {30, WHY_OTHER_MESSAGES, 0},
                                          {10, WHY_COMPUTING, 0},
                                          {10, WHY_CALLS, 0},
                                          {10, WHY_NETWORK, TRACE_NONE},
-                                         {10, WHY_STOLEN, 1},
+                                         {10, WHY_OTHER_MESSAGES, 1},
                                          {5, WHY_MESSAGE, 1},
                                          {5, WHY_CALLS, 1},
                                          {0}});
     assert_int_equal(f.causes.idle, 95 - 15 - 5);
-    waited(&f, 1, WAIT_STOLEN, 0, 30 - 10 + 10);
+    waited(&f, 1, WAIT_OTHER_MESSAGES, 0, 30 - 10 + 10);
     waited(&f, 1, WAIT_LATE_SENDER, 0, 40 - 5);
     waited(&f, 1, WAIT_NETWORK, 0, 10);
     drop(&t, &f);
@@ -393,7 +394,7 @@ static void forwarded(void **state)
     struct found f = find(&t);
     is_path(&f.path, (struct expected[]){{10, WHY_CALLS, 0},
                                          {15, WHY_NETWORK, TRACE_NONE},
-                                         {5, WHY_STOLEN, 2},
+                                         {5, WHY_OTHER_MESSAGES, 2},
                                          {15, WHY_MESSAGE, 2},
                                          {45, WHY_NETWORK, TRACE_NONE},
                                          {10, WHY_COMPUTING, 3},
@@ -722,6 +723,17 @@ static void any_trace(void **state)
     }
 }
 
+/* A page and a script look a class and a cause up by their keys: one thing has one name and one key. */
+static void a_class_and_a_cause_of_one_name_have_one_key(void **state)
+{
+    (void)state;
+    for (int c = 0; c < WHY_CLASSES; c++)
+        for (int w = 0; w < WAIT_CAUSES; w++)
+            assert_int_equal(strcmp(why_class_name(c), wait_cause_name(w)) == 0,
+                             strcmp(why_class_key(c), wait_cause_key(w)) == 0);
+    assert_string_equal(why_class_key(WHY_OTHER_MESSAGES), "other_messages");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -731,7 +743,8 @@ int main(void)
         cmocka_unit_test(channel_busy),
         cmocka_unit_test(handler_busy),
         cmocka_unit_test(handler_in_the_way),
-        cmocka_unit_test(processor_stolen),
+        cmocka_unit_test(processors_are_busy_with_other_messages),
+        cmocka_unit_test(a_class_and_a_cause_of_one_name_have_one_key),
         cmocka_unit_test(rest_by_the_books),
         cmocka_unit_test(disk),
         cmocka_unit_test(nothing_comes),

@@ -147,7 +147,7 @@ static void errors_say_who_holds_what(void **state)
     refused(&c, "x", "16", "a of ann holds nodes 0 to 15");
     refused(&c, "x", "16", "b of ann holds nodes 16 to 23");
     refused(&c, "a", "1", "there is a cube \"a\" already");
-    refused(&c, "x", "33", "cube has no 64 nodes");
+    refused(&c, "x", "33", "a cube of 64 nodes does not fit in cube, a hypercube of ");
     refused(&c, "x", "4m32", "have 16 MB");
     refused(&c, "x", "0", "begins with a number of nodes");
     refused(&c, "x", "d31", "begins with a number of nodes");

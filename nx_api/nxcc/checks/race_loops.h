@@ -6,8 +6,8 @@
  *            ... *address ...; address += size of the access
  *     tell from first to address               where the loop is left
  *
- * Between two of these places nothing that others do can come between the accesses, so that it does not
- * matter when they are told. So a loop over an array is as fast as without telling. */
+ * Between two of these places nothing that others do can come between the accesses, so it does not matter
+ * when the simulator hears of them. A loop over an array is as fast as without reports. */
 #ifndef NXCC_RACE_LOOPS_H
 #define NXCC_RACE_LOOPS_H
 #include "base/gcc.h"

@@ -102,7 +102,7 @@ __asm__(
                             "    ldmxcsr 256(%rsp)\n" NXC_RESTORE_SSE NXC_END_ROUTINE("nxc_enter_saving"));
 #endif
 
-/* Deeper paths, and more of them, fold recursion: then a function's time is told for the path of the
+/* Deeper paths, and more of them, fold recursion: a function's time then counts for the path of the
  * function's nearest call to itself. So the tree is bounded. */
 enum { DEEPEST = 200, MOST = 20000 };
 static __attribute__((section(".data"))) int64_t paths;

@@ -221,7 +221,7 @@ static void print_counts(const struct gate *g, FILE *out)
         if (count[v])
             fprintf(out, "%s %zu %s", mark, count[v], words[v]);
     fputc('\n', out);
-    if (!g->update && count[COMPARE_SAME] < g->count)
+    if (!g->update && !count[COMPARE_FAILED] && count[COMPARE_SAME] < g->count)
         fputs("to make this the baseline, give the same command with --update\n", out);
 }
 

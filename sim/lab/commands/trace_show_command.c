@@ -323,7 +323,7 @@ static char *why_nothing(const struct run *r)
         return xasprintf("%s has nothing in that interval: the run ended at %s", r->path,
                          virtual_time_moment(t->end).text);
     if (!r->show.rows.nodes)
-        return xasprintf("%s has none of these nodes: it has nodes 0 to %d", r->path, t->node_count - 1);
+        return xasprintf("%s has nothing of these nodes: they were not traced, or had no program", r->path);
     return NULL;
 }
 

@@ -61,7 +61,7 @@ static const char DOC[] =
     "The waits of all nodes are divided by cause, to the picosecond: late sender (the message had not been "
     "sent), late receiver (a long message had to wait for its receive), channel busy, handler busy (the "
     "partner was in a handler), system: other messages (a processor was busy with these), disk, and the "
-    "message's own way. With --nodes, those of some nodes.\v"
+    "message's own way. With --nodes, only the waits of these nodes count.\v"
     "With --rerun, --set or --cpu the command of the trace runs again in its folder, with numbers of the "
     "machine changed: exact answers. First it runs unchanged; if it takes another time than the trace says, "
     "the program or its input has changed, and trace why stops. /cfs is a copy.\n\n"
@@ -117,7 +117,7 @@ static struct why *why_of(const char *path, const struct trace_selection *select
 {
     char *error = NULL;
     struct trace *t = trace_load(path, &(struct trace_selection){select->from, select->to, NULL, 0}, &error);
-    if (t && t->to > t->from) {
+    if (t && t->to > t->from && trace_has_nodes(t, select, &error)) {
         cli_trace_warn("trace why", t, path);
         return why_new(t, &(struct wait_nodes){select->nodes, select->node_count});
     }

@@ -163,6 +163,10 @@ static void print_usual(const struct search *s, FILE *out)
     const struct outcome_group *base = &s->outcomes[0];
     fprintf(out, "  usual      %s; the same in %zu of %zu runs\n", text_of(base->record, "end"), base->runs,
             s->run_count);
+    if (base->reordered)
+        fprintf(out,
+                "             (in %zu of them in another order of lines: --ordered compares that, too)\n",
+                base->reordered);
     print_indented(text_of(base->record, "message"), MOST_LINES, out);
 }
 
@@ -174,7 +178,10 @@ static void print_summary(const struct explore *x, FILE *out)
             plural(s->run_count), s->orders.count, plural(s->orders.count));
     bool fails = !explore_usual_ended(x);
     if (s->outcome_count == 1)
-        fprintf(out, "%s\n", fails ? "all fail, with the usual timing, too" : "all the same");
+        fprintf(out, "%s\n",
+                fails                      ? "all fail, with the usual timing, too"
+                : s->outcomes[0].reordered ? "all the same, but for the order of lines"
+                                           : "all the same");
     else
         fprintf(out, "%zu outcome%s differ%s from that of the usual timing%s\n", s->outcome_count - 1,
                 plural(s->outcome_count - 1), s->outcome_count == 2 ? "s" : "", fails ? ", which fails" : "");

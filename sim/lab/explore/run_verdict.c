@@ -56,8 +56,8 @@ static char *joined(const struct lines *l)
     return text;
 }
 
-/* The output's lines that count. */
-static char *compared(const struct verdict_rules *rules, const char *out)
+/* The output's lines that count, as printed or sorted. */
+static char *compared(const struct verdict_rules *rules, const char *out, bool as_printed)
 {
     struct lines l = {0};
     for (const char *at = out; *at; at += *at == '\n') {
@@ -69,7 +69,7 @@ static char *compared(const struct verdict_rules *rules, const char *out)
         else
             add_line(&l, line);
     }
-    if (!rules->ordered)
+    if (!as_printed)
         sort_lines(&l);
     char *text = joined(&l);
     free_lines(&l);
@@ -188,11 +188,18 @@ static char *file_text(const char *path)
 
 static char *of_ended(const struct verdict_rules *rules, const char *out, const char *file)
 {
-    char *text = rules->file_only && file ? xstrdup("") : compared(rules, out);
+    char *text = rules->file_only && file ? xstrdup("") : compared(rules, out, rules->ordered);
     char *of_file = file ? file_text(file) : xstrdup("");
     words_append(&text, "%s", of_file);
     free(of_file);
     return text;
+}
+
+static void set_lines(json_t *record, const struct verdict_rules *rules, const char *out)
+{
+    char *text = compared(rules, out, true);
+    set_digest(record, "lines", text);
+    free(text);
 }
 
 json_t *verdict_of(const struct verdict_rules *rules, const char *out, const char *json, const char *file)
@@ -211,7 +218,9 @@ json_t *verdict_of(const struct verdict_rules *rules, const char *out, const cha
     json_set(record, "end", json_string(end));
     set_digest(record, "group", whole);
     json_set(record, "shown", shown(text));
-    if (!ended)
+    if (ended)
+        set_lines(record, rules, out);
+    else
         json_set(record, "message", json_string(message ? message : ""));
     json_set(record, "virtual_time_s", json_incref(json_object_get(run, "virtual_time_s")));
     if (json_object_get(run, "races"))

@@ -17,6 +17,7 @@ struct verdict_rules {
  *     end          "ended", "deadlock", "crashed" ...: as run --json has it
  *     group        digest: equal for runs that count as the same. Of runs that ended: their output, and the
  *                  file; of others: the lines of source in the message, without times
+ *     lines        digest of the lines that count, in the order printed; absent if the run did not end
  *     shown        what was compared, its first lines
  *     message      why the run did not end; absent if it did
  *     virtual_time_s, host_files, and races if the program was built by nxcc --races: as run --json has them

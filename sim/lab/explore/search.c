@@ -249,6 +249,13 @@ static void take_order(struct search *s, const json_t *record, size_t run)
     }
 }
 
+/* Did the run print its lines in another order than the first of its outcome? */
+static bool reordered(const struct outcome_group *g, const json_t *record)
+{
+    const json_t *first = json_object_get(g->record, "lines"), *lines = json_object_get(record, "lines");
+    return first && lines && !json_equal(first, lines);
+}
+
 static void take_one(struct search *s, const struct planned_run *r)
 {
     if ((s->run_count & (s->run_count - 1)) == 0)
@@ -265,6 +272,7 @@ static void take_one(struct search *s, const struct planned_run *r)
     };
     s->run_count++;
     g->runs++;
+    g->reordered += reordered(g, r->record);
     take_order(s, r->record, run);
     const struct explored *e = &s->runs[run], *least = &s->runs[g->least];
     if (e->recorded && (!least->recorded || e->delays < least->delays))

@@ -32,7 +32,8 @@ struct outcome_group {
     size_t first;   /* into search.runs */
     size_t least;   /* the run whose recording has the fewest delays */
     size_t runs;
-    bool same_order; /* each of its runs has an order that runs of other outcomes had before */
+    size_t reordered; /* of these runs: how many printed their lines in another order than the first */
+    bool same_order;  /* each of its runs has an order that runs of other outcomes had before */
 };
 
 struct flip_of_run {

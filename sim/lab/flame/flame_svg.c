@@ -277,7 +277,7 @@ static void write_head(const struct svg *s)
     if (flame_is_diff(f)) {
         fputs("width: time now; red: itself takes more, blue: less. Before: ", out);
         write_escaped(f->program[FLAME_BEFORE], 60, out);
-        fprintf(out, ", %s of nodes' time; now %s",
+        fprintf(out, ": %s of the nodes' time; now %s",
                 duration_text(vt_seconds(f->root->total[FLAME_BEFORE])).text,
                 duration_text(vt_seconds(f->root->total[FLAME_NOW])).text);
     } else {

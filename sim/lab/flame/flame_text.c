@@ -70,7 +70,7 @@ static double percent(const struct flame *f, const vtime t[FLAME_PROFILES], int 
 static void write_head(const struct flame *f, FILE *out)
 {
     for (int p = 0; p < FLAME_PROFILES && f->program[p]; p++)
-        fprintf(out, "%s%s: %" PRIu32 " node%s, %s; in programs %s of nodes' time\n",
+        fprintf(out, "%s%s: %" PRIu32 " node%s, %s; programs took %s of the nodes' time\n",
                 !flame_is_diff(f) ? ""
                 : p == FLAME_NOW  ? "now     "
                                   : "before  ",

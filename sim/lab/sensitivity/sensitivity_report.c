@@ -44,7 +44,7 @@ void sensitivity_print(const struct sensitivity *s, const char *name, const char
     size_t some = changing(s), rows = some < ROWS ? some : ROWS, without = 0;
     fprintf(
         f,
-        "\nWhat the time of %s on %s, %s, depends on: its change for 1 %% more of a number, by a run each\n",
+        "\nThe time of %s on %s is %s. With 1 %% more of a number it changes by (a run for each number):\n",
         name, machine, virtual_time_moment(s->runs.list[0].end).text);
     fprintf(f, "%-12s %8s  %-28s %-16s %-20s %s\n", "change", "% of it", "number", "value", "step",
             "standing");

@@ -118,11 +118,24 @@ int32_t trace_node_at(const struct trace *t, uint32_t address)
                                              : TRACE_NONE;
 }
 
+static bool selects(const struct trace_selection *s, int32_t node)
+{
+    return !s->nodes || ((uint32_t)node < s->node_count && s->nodes[node]);
+}
+
+bool trace_has_nodes(const struct trace *t, const struct trace_selection *s, char **error)
+{
+    for (int32_t i = 0; i < t->node_count; i++)
+        if (selects(s, i))
+            return true;
+    *error = xasprintf("%s has none of these nodes: it has nodes 0 to %d", t->path, t->node_count - 1);
+    return false;
+}
+
 /* Is a node selected? */
 static bool wants(const struct loading *l, int32_t node)
 {
-    const struct trace_selection *s = l->selection;
-    return node != TRACE_NONE && (!s->nodes || ((uint32_t)node < s->node_count && s->nodes[node]));
+    return node != TRACE_NONE && selects(l->selection, node);
 }
 
 static bool wants_time(const struct loading *l, vtime begin, vtime end)
@@ -427,7 +440,7 @@ static void set_interval(struct trace *t, const struct trace_selection *s)
     t->from = vt_min(t->from, t->to);
     for (int32_t i = 0; i < t->node_count; i++) {
         struct trace_node *n = &t->nodes[i];
-        n->traced = n->traced && (!s->nodes || ((uint32_t)i < s->node_count && s->nodes[i]));
+        n->traced = n->traced && selects(s, i);
         if (!t->complete)
             n->end = t->end;
     }
@@ -443,6 +456,8 @@ static struct trace *load(FILE *in, struct loading *l, char **error)
     free(head);
     if (!good)
         return fail(l, error, "the trace's head is damaged");
+    if (!trace_has_nodes(l->t, l->selection, error))
+        return trace_free(l->t), NULL;
     l->last = xcalloc((size_t)l->t->node_count, sizeof *l->last);
     l->last_system = xcalloc((size_t)l->t->node_count, sizeof *l->last_system);
     read_records(l);

@@ -153,9 +153,11 @@ struct trace_selection {
     uint32_t node_count;
 };
 
-/* Reads a trace. NULL with *error (malloc'd, names the file) on failure. */
+/* Reads a trace. NULL with *error (malloc'd, names the file) on failure, or if it has none of the nodes. */
 struct trace *trace_load(const char *path, const struct trace_selection *s, char **error);
 void trace_free(struct trace *t);
+/* Has the trace one of the nodes selected? False with *error, malloc'd. */
+bool trace_has_nodes(const struct trace *t, const struct trace_selection *s, char **error);
 
 /* --- where a node's time went --- */
 

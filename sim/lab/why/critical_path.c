@@ -61,7 +61,7 @@ static enum why_class class_of(const struct trace_piece *p)
     case TRACE_IN_CALL:
         return p->in_handler ? WHY_HANDLERS : WHY_CALLS;
     case TRACE_IN_SYSTEM:
-        return piece_enters_handler(p) ? WHY_HANDLERS : WHY_STOLEN;
+        return piece_enters_handler(p) ? WHY_HANDLERS : WHY_OTHER_MESSAGES;
     case TRACE_WAITING:
         return WHY_WAITING;
     default:

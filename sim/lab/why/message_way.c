@@ -35,7 +35,7 @@ static void go_through_system(struct walk *w, int32_t node, enum trace_task task
     int32_t s = node == TRACE_NONE ? TRACE_NONE : piece_map_system(w->map, node, task, w->at);
     if (s != TRACE_NONE)
         go_to(w, vt_max(from, w->t->systems[s].begin), WHY_MESSAGE, node, TRACE_NONE);
-    go_to(w, from, s == TRACE_NONE ? WHY_MESSAGE : WHY_STOLEN, node, TRACE_NONE);
+    go_to(w, from, s == TRACE_NONE ? WHY_MESSAGE : WHY_OTHER_MESSAGES, node, TRACE_NONE);
 }
 
 static void go_through_channels(struct walk *w)

@@ -1,7 +1,7 @@
 /* message_way.h - the way of a message, backwards: from the receiver, or from the moment at which it has
  * left, to the call that sent it; in legs, each of one class.
  *
- *     complete   <- WHY_MESSAGE   the receiver's system takes it; perhaps it was busy before: WHY_STOLEN
+ *     complete   <- WHY_MESSAGE   the receiver's system takes it; WHY_OTHER_MESSAGES if it was busy before
  *     left       <- WHY_NETWORK   its bytes are on their way
  *     moved      <- WHY_CHANNEL   waiting for channels; WHY_NETWORK between two waits
  *     entered    <- WHY_MESSAGE   long messages: the sender's system takes the clear to send

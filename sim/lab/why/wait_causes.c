@@ -11,7 +11,7 @@ static const struct {
     [WAIT_LATE_SENDER] = {"late sender", "late_sender"},
     [WAIT_LATE_RECEIVER] = {"late receiver", "late_receiver"},
     [WAIT_HANDLER] = {"handler busy", "handler_busy"},
-    [WAIT_STOLEN] = {"system: other messages", "processor_stolen"},
+    [WAIT_OTHER_MESSAGES] = {"system: other messages", "other_messages"},
     [WAIT_CHANNEL] = {"channel busy", "channel_busy"},
     [WAIT_NETWORK] = {"network", "network"},
     [WAIT_MESSAGE] = {"message handled", "message_handled"},
@@ -157,7 +157,7 @@ static void charge_doing(struct division *d, enum wait_cause late, int32_t partn
     const struct trace_piece *p = piece_map_from(d->map, partner, a), *end = piece_map_end(d->map, partner);
     for (; p && p < end && p->begin < b; p++) {
         bool stolen = p->state == TRACE_IN_SYSTEM && !piece_enters_handler(p);
-        enum wait_cause cause = stolen ? WAIT_STOLEN : p->in_handler ? WAIT_HANDLER : late;
+        enum wait_cause cause = stolen ? WAIT_OTHER_MESSAGES : p->in_handler ? WAIT_HANDLER : late;
         enum trace_state doing = cause == late ? p->state : TRACE_COMPUTING;
         d->idle[cause][doing] += idle_in(d, vt_max(a, p->begin), vt_min(b, p->end));
     }
@@ -185,9 +185,9 @@ static void charge_leg(struct division *d, const struct way_leg *leg, vtime begi
         charge_doing(d, WAIT_LATE_RECEIVER, leg->node, a, leg->end);
     else
         charge(d,
-               leg->class == WHY_STOLEN    ? WAIT_STOLEN
-               : leg->class == WHY_MESSAGE ? WAIT_MESSAGE
-                                           : WAIT_NETWORK,
+               leg->class == WHY_OTHER_MESSAGES ? WAIT_OTHER_MESSAGES
+               : leg->class == WHY_MESSAGE      ? WAIT_MESSAGE
+                                                : WAIT_NETWORK,
                a, leg->end);
 }
 
@@ -195,7 +195,7 @@ static void charge_leg(struct division *d, const struct way_leg *leg, vtime begi
 static void along_way(struct division *d, const struct wait_ender *e)
 {
     const struct trace_wait *w = &d->t->waits[d->wait];
-    charge(d, WAIT_STOLEN, e->at, w->end); /* it was there, and the program could not go on yet */
+    charge(d, WAIT_OTHER_MESSAGES, e->at, w->end); /* it was there, and the program could not go on yet */
     message_way_find(d->enders, d->map, e->message, e->leaves, e->at, &d->way);
     for (size_t i = 0; i < d->way.count && d->way.legs[i].end > w->begin; i++)
         charge_leg(d, &d->way.legs[i], w->begin);

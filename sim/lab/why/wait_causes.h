@@ -9,15 +9,15 @@
 #include "lab/why/message_way.h"
 
 enum wait_cause {
-    WAIT_LATE_SENDER,   /* the message was not sent yet: its sender computed, called or waited itself */
-    WAIT_LATE_RECEIVER, /* a long message waited until its receiver had a receive for it, or room */
-    WAIT_HANDLER,       /* the partner was in a handler */
-    WAIT_STOLEN,        /* the partner's processor, or the waiting one's, handled other messages */
-    WAIT_CHANNEL,       /* another message held a channel of the path */
-    WAIT_NETWORK,       /* the message, its request or its clear to send was on its way */
-    WAIT_MESSAGE,       /* the partner's system worked for the message itself */
-    WAIT_DISK,          /* the call waited for the file system */
-    WAIT_NEVER,         /* nothing ended the wait: it lasted to the end of the run, or of the trace */
+    WAIT_LATE_SENDER,    /* the message was not sent yet: its sender computed, called or waited itself */
+    WAIT_LATE_RECEIVER,  /* a long message waited until its receiver had a receive for it, or room */
+    WAIT_HANDLER,        /* the partner was in a handler */
+    WAIT_OTHER_MESSAGES, /* the partner's processor, or the waiting one's, handled other messages */
+    WAIT_CHANNEL,        /* another message held a channel of the path */
+    WAIT_NETWORK,        /* the message, its request or its clear to send was on its way */
+    WAIT_MESSAGE,        /* the partner's system worked for the message itself */
+    WAIT_DISK,           /* the call waited for the file system */
+    WAIT_NEVER,          /* nothing ended the wait: it lasted to the end of the run, or of the trace */
     WAIT_UNKNOWN, /* the call waited for a service (load, getcube), or the trace does not say for what */
     WAIT_CAUSES
 };

@@ -165,7 +165,7 @@ json_t *why_json(struct why *w, const struct why_report_options *o, bool with_pa
 {
     const struct trace *t = w->t;
     json_t *root = json_object();
-    json_set(root, "format", json_text("touchstone why 1"));
+    json_set(root, "format", json_text("touchstone why 2"));
     json_set(root, "trace", json_text(t->path));
     json_set(root, "program", json_text(t->program));
     json_set(root, "machine", json_text(t->machine));

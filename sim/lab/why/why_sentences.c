@@ -161,7 +161,7 @@ static void say_class(struct why *w, const struct part *p, enum why_class class,
     static const char *const WORDS[WHY_CLASSES] = {
         [WHY_COMPUTING] = "the program computed",
         [WHY_CALLS] = "the system worked for the program's own calls",
-        [WHY_STOLEN] = "the system handled messages that are not on the path",
+        [WHY_OTHER_MESSAGES] = "the system handled messages that are not on the path",
         [WHY_MESSAGE] = "the system handled the path's own messages",
         [WHY_NETWORK] = "messages were on their way through the network",
         [WHY_CHANNEL] = "messages waited for channels that others held",
@@ -237,7 +237,7 @@ static void cause(struct why *w, FILE *f)
     bool one = one_decides(w, &node, &time);
     struct why_unit u = why_unit_for(w->length);
     struct part p = part_of(w, one ? node : TRACE_NONE);
-    vtime served = p.of[WHY_HANDLERS] + p.of[WHY_STOLEN];
+    vtime served = p.of[WHY_HANDLERS] + p.of[WHY_OTHER_MESSAGES];
     int most = WHY_CALLS;
     for (int i = WHY_CALLS; i < WHY_CLASSES; i++)
         most = p.of[i] > p.of[most] ? i : most;
@@ -246,13 +246,13 @@ static void cause(struct why *w, FILE *f)
                 "So computing is the only cause: only less of it on %s, or a faster processor, makes the run "
                 "shorter.",
                 one ? node_words(w, node) : "the path");
-    } else if (one && (most == WHY_HANDLERS || most == WHY_STOLEN)) {
+    } else if (one && (most == WHY_HANDLERS || most == WHY_OTHER_MESSAGES)) {
         fprintf(
             f,
             "So serving the others keeps %s from its own work: their messages take %s, %s of the run, the "
             "larger part of it in %s.",
             node_words(w, node), why_time(u, served).text, why_percent(served, w->length).text,
-            p.of[WHY_HANDLERS] >= p.of[WHY_STOLEN] ? "handlers" : "interrupts of its system");
+            p.of[WHY_HANDLERS] >= p.of[WHY_OTHER_MESSAGES] ? "handlers" : "interrupts of its system");
     } else {
         fprintf(f, "Besides computing, the largest cause is %s: %s of the path.",
                 why_class_subject((enum why_class)most), why_percent(p.of[most], w->length).text);
@@ -282,7 +282,7 @@ static const char *cause_words(enum wait_cause cause, enum trace_state doing)
         [WAIT_LATE_SENDER] = "the sender was not there yet",
         [WAIT_LATE_RECEIVER] = "the receiver of a long message was late",
         [WAIT_HANDLER] = "the partner was in a handler",
-        [WAIT_STOLEN] = "a processor was busy with other messages",
+        [WAIT_OTHER_MESSAGES] = "a processor was busy with other messages",
         [WAIT_CHANNEL] = "another message held a channel",
         [WAIT_NETWORK] = "the message was on its way",
         [WAIT_MESSAGE] = "the partner's system handled the message",

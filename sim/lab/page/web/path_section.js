@@ -2,16 +2,13 @@
  * picoseconds: BigInt() takes them as numbers, and as texts where a number of JavaScript would not hold
  * them. */
 
-/* Classes of the path, and causes of waits, as touchstone trace why prints them; a class and a cause that
- * are the same have one name. Other keys are names. */
+/* Classes of the path, and causes of waits, as touchstone trace why prints them. A key that is not here
+ * is the name, with _ for each space. */
 const CLASS_TEXTS = {
     calls: 'system: the program\'s calls',
-    stolen: 'system: other messages',
-    processor_stolen: 'system: other messages',
+    other_messages: 'system: other messages',
     message: 'system: the message itself',
-    channel: 'channel busy',
     absent: 'no program',
-    waiting: 'services, or unknown',
     unknown: 'services, or unknown',
 };
 
