@@ -32,6 +32,23 @@ int sigaction(int number, const struct sigaction *to, struct sigaction *before)
     return 0;
 }
 
+/* Handlers run on the stack of the program that raises the signal, whatever it says here. */
+int sigaltstack(const stack_t *to, stack_t *before)
+{
+    enum { LEAST = 2048 };
+    static stack_t stack = {.ss_flags = SS_DISABLE};
+    stack_t was = stack;
+    if (to && !(to->ss_flags & SS_DISABLE) && to->ss_size < LEAST) {
+        errno = ENOMEM;
+        return -1;
+    }
+    if (to)
+        stack = *to;
+    if (before)
+        *before = was;
+    return 0;
+}
+
 static sighandler_t handle(int number, sighandler_t handler, int flags)
 {
     struct sigaction was;

@@ -28,6 +28,7 @@ allowed "devices that hold nothing" w /dev/null - r /dev/zero -
 allowed "temporary files" temporary /tmp/host_files_XXXXXX -
 run -q host_files r none - excl inside - nofollow round - r sub/none/x - mkdir inside - rmdir none -
 check "other errors are answers" bash -c '[ "$(grep -c fails out)" = 6 ]'
+refused "a new file in /proc" /proc/none host_files w /proc/none -
 
 refused "a new file elsewhere" "$outside/new" host_files w ../outside/new -
 check "it is named with its line" said '^  called from main\+0x[0-9a-f]+ \(host_files.c:'
@@ -58,6 +59,7 @@ int main(void)
     char c = getchar();
     if (c == 'o') open("text_link", O_RDONLY);
     if (c == 's') stat("out_link/deep", &st);
+    if (c == 'p') return open("/proc/self/stat", O_RDONLY) < 0 && stat("/sys", &st) < 0 ? 7 : 8;
     if (c == 'g') gopen("out_link/text", O_RDONLY, 0, 0);
     if (c == 'a') access("text_link", 0);
     if (c == 'c') chdir("out_link");
@@ -74,6 +76,10 @@ for how in o:open s:stat g:gopen a:access c:chdir f:freopen; do
     "$BUILD/touchstone" run -q --host-files ../outside:ro fixed <<<${how%:*} >out 2>err
     check "allowed: ${how#*:}" grep -q 'went on' out
 done
+"$BUILD/touchstone" run -q fixed <<<p >out 2>err
+check "a node has no /proc and no /sys" test $? = 7
+"$BUILD/touchstone" run -q --host-files /proc:ro fixed <<<p >out 2>err
+check "unless they are allowed" test $? = 8
 
 run -q host_files r ../outside/text -
 check "an argument's file may be read" grep -q works out

@@ -69,6 +69,13 @@ int main(void)
     check("sigignore", sigignore(SIGUSR2) == 0 && raise(SIGUSR2) == 0);
     check("kill",
           signal(SIGUSR1, count) == SIG_DFL && kill(getpid(), SIGUSR1) == 0 && kill(getpid(), 0) == 0);
+    char room[16384];
+    stack_t own = {.ss_sp = room, .ss_size = sizeof room}, small = {.ss_sp = room, .ss_size = 100}, found;
+    check("no stack of handlers", sigaltstack(&own, &found) == 0 && found.ss_flags == SS_DISABLE);
+    check("a stack of handlers",
+          sigaltstack(NULL, &found) == 0 && found.ss_sp == room && found.ss_flags == 0);
+    check("usual sizes", SIGSTKSZ >= MINSIGSTKSZ && MINSIGSTKSZ > 100);
+    check("too small", sigaltstack(&small, NULL) == -1 && errno == ENOMEM);
     check("how often", calls == 5);
     check("no signal", raise(0) == 0 && raise(-1) == -1 && errno == EINVAL && signal(0, count) == SIG_ERR);
     check("not to be handled", signal(SIGKILL, count) == SIG_ERR && signal(SIGSTOP, SIG_IGN) == SIG_ERR);

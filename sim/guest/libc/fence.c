@@ -128,6 +128,13 @@ static int closed(int fd, int answer)
     return answer;
 }
 
+/* A node has no such files: what they tell is of this computer. Programs look there (is there a debugger? how
+ * much memory?) and do without. */
+static bool is_of_this_kernel(const char *path)
+{
+    return is_below(path, "/proc") || is_below(path, "/sys");
+}
+
 /* Looks a file up without opening it. Returns a descriptor for it, -1 or FENCE_REFUSED. */
 static int look_up(struct fence *f, const char *path, int flags, enum use use)
 {
@@ -137,6 +144,10 @@ static int look_up(struct fence *f, const char *path, int flags, enum use use)
     if (!path_of(fd, f->real))
         return closed(fd, -1);
     int answer = check(f, f->real, use);
+    if (answer && is_of_this_kernel(f->real)) {
+        errno = ENOENT;
+        answer = -1;
+    }
     return answer ? closed(fd, answer) : fd;
 }
 

@@ -146,6 +146,10 @@ long node_sysconf(int name)
     case _SC_NPROCESSORS_CONF:
     case _SC_NPROCESSORS_ONLN:
         return 1;
+    case _SC_MINSIGSTKSZ: /* nx_api/libc/signal_handlers.c; the host's depend on its processor */
+        return 2048;
+    case _SC_SIGSTKSZ:
+        return 8192;
     case _SC_PHYS_PAGES:
     case _SC_AVPHYS_PAGES:
         return (long)(node_memory_limit(node_self()) / (size_t)node_getpagesize());
