@@ -59,7 +59,7 @@ int main(void)
     char c = getchar();
     if (c == 'o') open("text_link", O_RDONLY);
     if (c == 's') stat("out_link/deep", &st);
-    if (c == 'p') return open("/proc/self/stat", O_RDONLY) < 0 && stat("/sys", &st) < 0 ? 7 : 8;
+    if (c == 'p') puts(open("/proc/self/stat", O_RDONLY) < 0 && stat("/sys", &st) < 0 ? "none" : "there");
     if (c == 'g') gopen("out_link/text", O_RDONLY, 0, 0);
     if (c == 'a') access("text_link", 0);
     if (c == 'c') chdir("out_link");
@@ -77,9 +77,9 @@ for how in o:open s:stat g:gopen a:access c:chdir f:freopen; do
     check "allowed: ${how#*:}" grep -q 'went on' out
 done
 "$BUILD/touchstone" run -q fixed <<<p >out 2>err
-check "a node has no /proc and no /sys" test $? = 7
+check "a node has no /proc and no /sys" grep -qx none out
 "$BUILD/touchstone" run -q --host-files /proc:ro fixed <<<p >out 2>err
-check "unless they are allowed" test $? = 8
+check "unless they are allowed" grep -qx there out
 
 run -q host_files r ../outside/text -
 check "an argument's file may be read" grep -q works out
