@@ -287,6 +287,8 @@ CALL(Reduce_local, (const void *in, void *inout, int count, MPI_Datatype type, M
     const char *refuses = op_refuses(op, type);
     if (refuses)
         return fail(NULL, CALL_Reduce_local, MPI_ERR_OP, "%s", refuses);
+    if (in == MPI_IN_PLACE || inout == MPI_IN_PLACE)
+        return fail(NULL, CALL_Reduce_local, MPI_ERR_BUFFER, "MPI_IN_PLACE is no buffer of this call");
     op_apply(op, (void *)(uintptr_t)in, inout, count, type);
     return MPI_SUCCESS;
 }

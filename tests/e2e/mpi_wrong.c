@@ -58,6 +58,7 @@ WRONG(overlap, MPI_Intercomm_create(MPI_COMM_WORLD, 0, MPI_COMM_WORLD, 0, 1, &co
 WRONG(allreduce, MPI_Allreduce(into, into, 2, MPI_INT, MPI_SUM, MPI_COMM_WORLD))
 WRONG(iallreduce, MPI_Iallreduce(into, into, 2, MPI_INT, MPI_SUM, MPI_COMM_WORLD, &request))
 WRONG(reduce, MPI_Reduce(into, into, 2, MPI_INT, MPI_SUM, 0, MPI_COMM_WORLD))
+WRONG(reduce_local, MPI_Reduce_local(MPI_IN_PLACE, into, 2, MPI_INT, MPI_SUM))
 WRONG(scan, MPI_Scan(into, into, 2, MPI_INT, MPI_SUM, MPI_COMM_WORLD))
 WRONG(reduce_scatter, MPI_Reduce_scatter(into, into, ones, MPI_INT, MPI_SUM, MPI_COMM_WORLD))
 WRONG(block, MPI_Reduce_scatter_block(into, into, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD))
@@ -124,6 +125,7 @@ static const struct wrong {
            {"allreduce", allreduce},
            {"iallreduce", iallreduce},
            {"reduce", reduce},
+           {"reduce_local", reduce_local},
            {"scan", scan},
            {"reduce_scatter", reduce_scatter},
            {"block", block},

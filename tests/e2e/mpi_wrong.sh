@@ -31,6 +31,7 @@ overlap|invalid communicator|MPI_Intercomm_create|rank [01] is in both groups
 allreduce|invalid buffer|MPI_Allreduce|what is sent and what is received
 iallreduce|invalid buffer|MPI_Iallreduce|what is sent and what is received
 reduce|invalid buffer|MPI_Reduce|what is sent and what is received
+reduce_local|invalid buffer|MPI_Reduce_local|MPI_IN_PLACE is no buffer of this call
 scan|invalid buffer|MPI_Scan|what is sent and what is received
 reduce_scatter|invalid buffer|MPI_Reduce_scatter|what is sent and what is received
 block|invalid buffer|MPI_Reduce_scatter_block|what is sent and what is received
