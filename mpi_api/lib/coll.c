@@ -133,11 +133,18 @@ int coll_check(const struct coll *o, int count, MPI_Datatype t)
     return MPI_SUCCESS;
 }
 
+/* Does the rank's own part of one buffer begin where the other does? */
+static bool has_same_places(const struct args *a)
+{
+    const int *places = a->at ? a->at : a->places;
+    return a->at && a->places ? a->at == a->places : !places || places[a->o.rank] == 0;
+}
+
 /* They begin at one place. Parts of other types or at other places may lie apart all the same, and there may
  * be no elements. */
 int coll_fail_same(const struct args *a)
 {
-    bool same = (a->op || a->type == a->as) && a->types == a->ases && (!a->places || a->at == a->places);
+    bool same = (a->op || a->type == a->as) && a->types == a->ases && has_same_places(a);
     bool any = any_bytes(a->count, a->type);
     for (int i = 0; a->counts && i < a->o.size; i++)
         any = any || a->counts[i] > 0;

@@ -136,7 +136,10 @@ CALL(Comm_set_info, (MPI_Comm comm, MPI_Info info))
 
 CALL(Comm_get_info, (MPI_Comm comm, MPI_Info *info))
 {
-    return comm_of(comm) ? PMPI_Info_create(info) : fail_comm(CALL_Comm_get_info);
+    struct comm *c = comm_of(comm);
+    if (!c)
+        return fail_comm(CALL_Comm_get_info);
+    return info ? PMPI_Info_create(info) : fail_answer(c, CALL_Comm_get_info);
 }
 
 CALL(Comm_get_parent, (MPI_Comm * parent))
@@ -242,6 +245,8 @@ CALL(Comm_create, (MPI_Comm comm, MPI_Group group, MPI_Comm *to))
     struct group *g = group_of(group), *remote = NULL;
     if (!c)
         return fail_comm(CALL_Comm_create);
+    if (!to)
+        return fail_answer(c, CALL_Comm_create);
     if (!g || !is_within(g, c->local))
         return fail(c, CALL_Comm_create, MPI_ERR_GROUP, "the group is %s",
                     g ? "no part of the communicator's" : "null, or freed");
@@ -264,6 +269,8 @@ CALL(Comm_create_group, (MPI_Comm comm, MPI_Group group, int tag, MPI_Comm *to))
     struct group *g = group_of(group);
     if (!c)
         return fail_comm(CALL_Comm_create_group);
+    if (!to)
+        return fail_answer(c, CALL_Comm_create_group);
     if (!g)
         return fail(c, CALL_Comm_create_group, MPI_ERR_GROUP, "the group is null, or freed");
     *to = MPI_COMM_NULL;
@@ -319,6 +326,8 @@ CALL(Comm_split, (MPI_Comm comm, int color, int key, MPI_Comm *to))
     struct comm *c = comm_of(comm);
     if (!c)
         return fail_comm(CALL_Comm_split);
+    if (!to)
+        return fail_answer(c, CALL_Comm_split);
     if (color < 0 && color != MPI_UNDEFINED)
         return fail(c, CALL_Comm_split, MPI_ERR_ARG, "the color %d is negative", color);
     const struct coll o = coll_of(c, CALL_Comm_split), in = coll_inside(&o);
@@ -350,6 +359,8 @@ CALL(Comm_split_type, (MPI_Comm comm, int kind, int key, MPI_Info info, MPI_Comm
     (void)info;
     if (!c)
         return fail_comm(CALL_Comm_split_type);
+    if (!to)
+        return fail_answer(c, CALL_Comm_split_type);
     return PMPI_Comm_split(comm, kind == MPI_UNDEFINED ? MPI_UNDEFINED : c->local->rank, key, to);
 }
 
@@ -402,6 +413,8 @@ CALL(Intercomm_create,
     struct comm *c = comm_of(local), *b = NULL;
     if (!c || c->remote)
         return fail_comm(CALL_Intercomm_create);
+    if (!to)
+        return fail_answer(c, CALL_Intercomm_create);
     const struct coll o = coll_of(c, CALL_Intercomm_create);
     if (leader < 0 || leader >= o.size)
         return fail(c, CALL_Intercomm_create, MPI_ERR_RANK, "leader %d is not one of %d ranks", leader,

@@ -105,6 +105,11 @@ int fail_comm(int call)
                          : "called before MPI_Init, or after MPI_Finalize");
 }
 
+int fail_answer(struct comm *c, int call)
+{
+    return fail(c, call, MPI_ERR_ARG, "the pointer to where the answer goes is null");
+}
+
 /* --- handlers --- */
 
 CALL(Comm_create_errhandler, (MPI_Comm_errhandler_function * function, MPI_Errhandler *handler))

@@ -72,6 +72,8 @@ CALL(Group_size, (MPI_Group group, int *size))
     const struct group *g = group_of(group);
     if (!g)
         return no_group(CALL_Group_size);
+    if (!size)
+        return fail_answer(NULL, CALL_Group_size);
     *size = g->size;
     return MPI_SUCCESS;
 }
@@ -81,6 +83,8 @@ CALL(Group_rank, (MPI_Group group, int *rank))
     const struct group *g = group_of(group);
     if (!g)
         return no_group(CALL_Group_rank);
+    if (!rank)
+        return fail_answer(NULL, CALL_Group_rank);
     *rank = g->rank < 0 ? MPI_UNDEFINED : g->rank;
     return MPI_SUCCESS;
 }
@@ -90,6 +94,8 @@ CALL(Group_translate_ranks, (MPI_Group from, int count, const int ranks[], MPI_G
     const struct group *a = group_of(from), *b = group_of(to);
     if (!a || !b)
         return no_group(CALL_Group_translate_ranks);
+    if (count > 0 && (!ranks || !translated))
+        return fail_answer(NULL, CALL_Group_translate_ranks);
     for (int i = 0; i < count; i++) {
         if (ranks[i] != MPI_PROC_NULL && (ranks[i] < 0 || ranks[i] >= a->size))
             return fail(NULL, CALL_Group_translate_ranks, MPI_ERR_RANK,
@@ -116,6 +122,8 @@ CALL(Group_compare, (MPI_Group a, MPI_Group b, int *result))
 {
     if (!group_of(a) || !group_of(b))
         return no_group(CALL_Group_compare);
+    if (!result)
+        return fail_answer(NULL, CALL_Group_compare);
     *result = group_compare(group_of(a), group_of(b));
     return MPI_SUCCESS;
 }
@@ -134,6 +142,8 @@ CALL(Group_union, (MPI_Group a, MPI_Group b, MPI_Group *group))
     int size = 0;
     if (!x || !y)
         return no_group(CALL_Group_union);
+    if (!group)
+        return fail_answer(NULL, CALL_Group_union);
     struct group *g = group_new(x->size + y->size);
     for (int i = 0; i < x->size; i++)
         add(g, &size, group_node(x, i));
@@ -161,6 +171,8 @@ CALL(Group_intersection, (MPI_Group a, MPI_Group b, MPI_Group *group))
 {
     if (!group_of(a) || !group_of(b))
         return no_group(CALL_Group_intersection);
+    if (!group)
+        return fail_answer(NULL, CALL_Group_intersection);
     *group = handle_of(select_of(group_of(a), group_of(b), true));
     return MPI_SUCCESS;
 }
@@ -169,6 +181,8 @@ CALL(Group_difference, (MPI_Group a, MPI_Group b, MPI_Group *group))
 {
     if (!group_of(a) || !group_of(b))
         return no_group(CALL_Group_difference);
+    if (!group)
+        return fail_answer(NULL, CALL_Group_difference);
     *group = handle_of(select_of(group_of(a), group_of(b), false));
     return MPI_SUCCESS;
 }
@@ -190,6 +204,8 @@ static int choose(int call, MPI_Group from, int count, const int ranks[], bool o
     int size = 0, code = MPI_SUCCESS;
     if (!f)
         return no_group(call);
+    if (!group)
+        return fail_answer(NULL, call);
     bool *given = calloc((size_t)f->size + 1, sizeof *given);
     for (int i = 0; i < count && !code; i++)
         code = mark(f, call, ranks[i], given);
@@ -274,6 +290,8 @@ CALL(Comm_group, (MPI_Comm comm, MPI_Group *group))
     struct comm *c = comm_of(comm);
     if (!c)
         return fail_comm(CALL_Comm_group);
+    if (!group)
+        return fail_answer(c, CALL_Comm_group);
     *group = HANDLE(MPI_Group, group_keep(c->local));
     return MPI_SUCCESS;
 }
@@ -283,6 +301,8 @@ CALL(Comm_remote_group, (MPI_Comm comm, MPI_Group *group))
     struct comm *c = comm_of(comm);
     if (!c)
         return fail_comm(CALL_Comm_remote_group);
+    if (!group)
+        return fail_answer(c, CALL_Comm_remote_group);
     if (!c->remote)
         return fail(c, CALL_Comm_remote_group, MPI_ERR_COMM, "the communicator has one group only");
     *group = HANDLE(MPI_Group, group_keep(c->remote));

@@ -289,6 +289,8 @@ CALL(Reduce_local, (const void *in, void *inout, int count, MPI_Datatype type, M
         return fail(NULL, CALL_Reduce_local, MPI_ERR_OP, "%s", refuses);
     if (in == MPI_IN_PLACE || inout == MPI_IN_PLACE)
         return fail(NULL, CALL_Reduce_local, MPI_ERR_BUFFER, "MPI_IN_PLACE is no buffer of this call");
+    if (in == inout && count > 0)
+        return fail(NULL, CALL_Reduce_local, MPI_ERR_BUFFER, "the two buffers are the same memory");
     op_apply(op, (void *)(uintptr_t)in, inout, count, type);
     return MPI_SUCCESS;
 }

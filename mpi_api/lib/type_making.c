@@ -99,6 +99,8 @@ CALL(Type_contiguous, (int count, MPI_Datatype old, MPI_Datatype *type))
     int room = 0;
     if (!o)
         return type_missing(CALL_Type_contiguous);
+    if (!type)
+        return fail_answer(NULL, CALL_Type_contiguous);
     if (count < 0)
         return bad_count(CALL_Type_contiguous, count);
     struct type *t = type_new();
@@ -124,6 +126,8 @@ CALL(Type_vector, (int count, int length, int stride, MPI_Datatype old, MPI_Data
     const struct type *o = type_of(old);
     if (!o)
         return type_missing(CALL_Type_vector);
+    if (!type)
+        return fail_answer(NULL, CALL_Type_vector);
     if (count < 0 || length < 0)
         return bad_count(CALL_Type_vector, count < 0 ? count : length);
     struct type *t = strided(count, length, stride * type_extent(o), o);
@@ -139,6 +143,8 @@ CALL(Type_create_hvector, (int count, int length, MPI_Aint stride, MPI_Datatype 
     const struct type *o = type_of(old);
     if (!o)
         return type_missing(CALL_Type_create_hvector);
+    if (!type)
+        return fail_answer(NULL, CALL_Type_create_hvector);
     if (count < 0 || length < 0)
         return bad_count(CALL_Type_create_hvector, count < 0 ? count : length);
     struct type *t = strided(count, length, stride, o);
@@ -162,6 +168,8 @@ static int indexed(int call, const struct places *p, MPI_Datatype old, int combi
     int room = 0, at = 0;
     if (!o)
         return type_missing(call);
+    if (!type)
+        return fail_answer(NULL, call);
     if (p->count < 0)
         return bad_count(call, p->count);
     struct type *t = type_new();
@@ -220,6 +228,8 @@ CALL(Type_create_struct,
     for (int i = 0; i < count; i++)
         if (!type_of(types[i]))
             return type_missing(CALL_Type_create_struct);
+    if (!type)
+        return fail_answer(NULL, CALL_Type_create_struct);
     struct type *t = type_new();
     type_made_of(t, 1 + count, count, count);
     t->int_list[0] = count;
@@ -238,6 +248,8 @@ CALL(Type_create_resized, (MPI_Datatype old, MPI_Aint lb, MPI_Aint extent, MPI_D
     int room = 0;
     if (!o)
         return type_missing(CALL_Type_create_resized);
+    if (!type)
+        return fail_answer(NULL, CALL_Type_create_resized);
     struct type *t = type_new();
     type_add(t, &room, o, 1, 0);
     t->lb = lb, t->ub = lb + extent, t->has_lb = t->has_ub = true;
@@ -254,6 +266,8 @@ CALL(Type_dup, (MPI_Datatype old, MPI_Datatype *type))
     int room = 0, code;
     if (!o)
         return type_missing(CALL_Type_dup);
+    if (!type)
+        return fail_answer(NULL, CALL_Type_dup);
     struct type *t = type_new();
     type_add(t, &room, o, 1, 0);
     t->lb = o->lb, t->ub = o->ub, t->has_lb = o->has_lb, t->has_ub = o->has_ub;

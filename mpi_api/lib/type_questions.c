@@ -9,6 +9,8 @@
         const struct type *t = type_of(type);                                                                \
         if (!t)                                                                                              \
             return type_missing(CALL_##name);                                                                \
+        if (!value)                                                                                          \
+            return fail_answer(NULL, CALL_##name);                                                           \
         *value = (type_of_value)(expression);                                                                \
         return MPI_SUCCESS;                                                                                  \
     }
@@ -24,6 +26,8 @@ GET(Type_ub, MPI_Aint, t->ub)
         const struct type *t = type_of(type);                                                                \
         if (!t)                                                                                              \
             return type_missing(CALL_##name);                                                                \
+        if (!lb || !extent)                                                                                  \
+            return fail_answer(NULL, CALL_##name);                                                           \
         *lb = t->lower, *extent = t->upper - t->lower;                                                       \
         return MPI_SUCCESS;                                                                                  \
     }

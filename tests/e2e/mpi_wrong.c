@@ -58,6 +58,16 @@ WRONG(overlap, MPI_Intercomm_create(MPI_COMM_WORLD, 0, MPI_COMM_WORLD, 0, 1, &co
 WRONG(allreduce, MPI_Allreduce(into, into, 2, MPI_INT, MPI_SUM, MPI_COMM_WORLD))
 WRONG(iallreduce, MPI_Iallreduce(into, into, 2, MPI_INT, MPI_SUM, MPI_COMM_WORLD, &request))
 WRONG(reduce, MPI_Reduce(into, into, 2, MPI_INT, MPI_SUM, 0, MPI_COMM_WORLD))
+WRONG(gatherv, rank
+                   ? MPI_ERR_BUFFER
+                   : MPI_Gatherv(into, 2, MPI_INT, into, ones, (int[MOST]){0, 1}, MPI_INT, 0, MPI_COMM_WORLD))
+WRONG(scatterv,
+      rank ? MPI_ERR_BUFFER
+           : MPI_Scatterv(into, ones, (int[MOST]){0, 1}, MPI_INT, into, 2, MPI_INT, 0, MPI_COMM_WORLD))
+WRONG(null_split, MPI_Comm_split(MPI_COMM_WORLD, 0, 0, NULL))
+WRONG(null_size, MPI_Group_size(MPI_GROUP_EMPTY, NULL))
+WRONG(null_type, MPI_Type_vector(1, 1, 1, MPI_INT, NULL))
+WRONG(null_extent, MPI_Type_get_extent(MPI_INT, NULL, NULL))
 WRONG(reduce_local, MPI_Reduce_local(MPI_IN_PLACE, into, 2, MPI_INT, MPI_SUM))
 WRONG(scan, MPI_Scan(into, into, 2, MPI_INT, MPI_SUM, MPI_COMM_WORLD))
 WRONG(reduce_scatter, MPI_Reduce_scatter(into, into, ones, MPI_INT, MPI_SUM, MPI_COMM_WORLD))
@@ -125,6 +135,12 @@ static const struct wrong {
            {"allreduce", allreduce},
            {"iallreduce", iallreduce},
            {"reduce", reduce},
+           {"gatherv", gatherv},
+           {"scatterv", scatterv},
+           {"null_split", null_split},
+           {"null_size", null_size},
+           {"null_type", null_type},
+           {"null_extent", null_extent},
            {"reduce_local", reduce_local},
            {"scan", scan},
            {"reduce_scatter", reduce_scatter},

@@ -31,6 +31,12 @@ overlap|invalid communicator|MPI_Intercomm_create|rank [01] is in both groups
 allreduce|invalid buffer|MPI_Allreduce|what is sent and what is received
 iallreduce|invalid buffer|MPI_Iallreduce|what is sent and what is received
 reduce|invalid buffer|MPI_Reduce|what is sent and what is received
+gatherv|invalid buffer|MPI_Gatherv|what is sent and what is received
+scatterv|invalid buffer|MPI_Scatterv|what is sent and what is received
+null_split|invalid argument|MPI_Comm_split|the pointer to where the answer goes is null
+null_size|invalid argument|MPI_Group_size|the pointer to where the answer goes is null
+null_type|invalid argument|MPI_Type_vector|the pointer to where the answer goes is null
+null_extent|invalid argument|MPI_Type_get_extent|the pointer to where the answer goes is null
 reduce_local|invalid buffer|MPI_Reduce_local|MPI_IN_PLACE is no buffer of this call
 scan|invalid buffer|MPI_Scan|what is sent and what is received
 reduce_scatter|invalid buffer|MPI_Reduce_scatter|what is sent and what is received
