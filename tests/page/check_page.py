@@ -485,6 +485,18 @@ def check_together(b):
     rule("two timelines: switched on again, it follows at once", views()[0] == views()[1], views())
 
 
+def check_nested(b):
+    """In the page of two; its surfaces are within each other."""
+    canvas = section(b, "Surfaces").find_element(By.TAG_NAME, "canvas")
+    shown = b.run("return arguments[0].view.meshes.map(m => m.material.opacity)", canvas)
+    with open(f"{folder}/rendered", encoding="utf-8") as file:
+        rendered = [float(line.split("opacity ")[1]) for line in file if "opacity" in line]
+    rule("surfaces: those around others are seen through, as touchstone render draws them",
+         len(shown) == 3 and all(abs(s - r) < 1e-3 for s, r in zip(shown, rendered)) and rendered[0] == 1 > rendered[1], (shown, rendered))
+    checked = b.run("return arguments[0].view.clearBoxes.map(c => c.checked)", canvas)
+    rule("surfaces: and their boxes say so", checked == [False, True, True], checked)
+
+
 def check_names(b):
     links = b.run("return [...document.querySelectorAll('nav a')].map(a => a.textContent)")
     rule("two studies of one title are told apart in the navigation", [l for l in links if l.startswith("Study")] == [
@@ -497,7 +509,7 @@ try:
     browser.open(page)
     for check in (check_tables, check_study, check_run, check_timeline, check_trace_rest, check_surfaces, check_keyboard,
                   check_widths, check_markup, check_colours, check_speed, check_together,
-                  check_names):
+                  check_nested, check_names):
         try:
             check(browser)
         except Exception as problem:  # what is not there is a rule that does not hold

@@ -9,8 +9,9 @@ function surfaceSummary(data) {
     };
 }
 
-const SLOW_PICTURE = 120; /* ms */
-const COARSE_CELLS = 48;  /* along the longest side */
+const SLOW_PICTURE = 120;  /* ms */
+const COARSE_CELLS = 48;   /* along the longest side */
+const MOST_OPACITY = 0.35; /* of a surface that is seen through */
 /* Colours of surfaces and of nodes are those of touchstone render (lab/render/colours.c). */
 const SURFACE_TONES =
     ['#56b4e9', '#e69f00', '#009e73', '#cc79a7', '#d55e00', '#f0e442', '#0072b2', '#999999'];
@@ -71,7 +72,7 @@ function surfaceSection(surfaces) {
         element('p', {class: 'note hint'},
             'Drag to turn, wheel or two fingers to zoom, right button or two fingers to move. Keys: ',
             keys('← → ↑ ↓'), ' turn, ', keys('+ −'), ' zoom, ', keys('0'), ' everything.'));
-    view.outermostClear();
+    view.outerClear();
     onWidth(plot, width => view.resize(width));
     return section;
 }
@@ -140,6 +141,7 @@ class SurfaceView {
         this.camera.up.set(0, 0, 1); /* as in touchstone render */
         this.upright = new THREE.Quaternion().setFromUnitVectors(this.camera.up, new THREE.Vector3(0, 1, 0));
         this.clearBoxes = [];
+        this.clear = MOST_OPACITY;
         this.meshes = surfaces.map((s, i) => this.makeMesh(s.data, i));
         this.whole = this.meshes.map(m => m.geometry);
         this.coarseGeometry = [];
@@ -317,15 +319,21 @@ class SurfaceView {
     }
     seeThrough(i, on) {
         Object.assign(this.meshes[i].material,
-            {transparent: on, opacity: on ? 0.35 : 1, depthWrite: !on, needsUpdate: true});
+            {transparent: on, opacity: on ? this.clear : 1, depthWrite: !on, needsUpdate: true});
         this.draw();
     }
-    /* Of several surfaces the largest is seen through, for it may hide the others. */
-    outermostClear() {
-        const size = m => new THREE.Box3().setFromObject(m).getSize(new THREE.Vector3()).length();
-        const sizes = this.meshes.map(size), i = sizes.indexOf(Math.max(...sizes));
-        if (this.meshes.length > 1)
-            this.seeThrough(i, this.clearBoxes[i].checked = true);
+    /* Surfaces around others are seen through; the more of them, the more so (lab/render/render_output.c).
+     * They are drawn after those within them, with which they blend. */
+    outerClear() {
+        const boxes = this.meshes.map(m => new THREE.Box3().setFromObject(m));
+        const encloses = (a, b) => !b.isEmpty() && a.containsBox(b) && !a.equals(b);
+        const within = boxes.map(a => boxes.filter(b => encloses(a, b)).length);
+        this.clear = Math.min(MOST_OPACITY, 1 - 0.25 ** (1 / Math.max(1, within.filter(n => n).length)));
+        within.forEach((n, i) => {
+            this.meshes[i].renderOrder = n;
+            if (n)
+                this.seeThrough(i, this.clearBoxes[i].checked = true);
+        });
     }
     colourBy(what) {
         this.meshes.forEach((m, i) => {
