@@ -495,6 +495,18 @@ def check_nested(b):
          len(shown) == 3 and all(abs(s - r) < 1e-3 for s, r in zip(shown, rendered)) and rendered[0] == 1 > rendered[1], (shown, rendered))
     checked = b.run("return arguments[0].view.clearBoxes.map(c => c.checked)", canvas)
     rule("surfaces: and their boxes say so", checked == [False, True, True], checked)
+    show(b, canvas)
+    upper = b.run("""return new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => {
+        const copy = document.createElement('canvas'), g = copy.getContext('2d', {willReadFrequently: true});
+        copy.width = 640;
+        copy.height = 360;
+        g.drawImage(arguments[0], 0, 0, 640, 360);
+        const d = g.getImageData(0, 0, 640, 180).data, sums = [];
+        for (let i = 0; i < d.length; i += 4)
+            if (d[i] !== d[0] || d[i + 1] !== d[1] || d[i + 2] !== d[2]) sums.push(d[i] + d[i + 1] + d[i + 2]);
+        done(sums.sort((a, b) => a - b)) })))""", canvas)
+    dark, middle = upper[len(upper) // 100], upper[len(upper) // 2]
+    rule("surfaces: a coarse one has no dark triangles at its outline", dark > 0.35 * middle, (dark, middle))
 
 
 def check_names(b):

@@ -116,16 +116,19 @@ function viewerDirection(azimuth, elevation) {
 
 /* Two rules of touchstone render (lab/render/shade.c). Both sides of a surface are lit alike, wherever its
  * normals point: three.js takes for the lit side the one from which the corners go round to the left, which
- * files need not keep to. And a layer that is seen through holds back more light at an angle, for the way
- * through it is longer. */
+ * files need not keep to. The triangle tells which side is seen: at the outline of a coarse surface the normal
+ * between its corners may point away, and is bent back. And a layer that is seen through holds back more light
+ * at an angle, for the way through it is longer. */
 function shadeAsRender(shader) {
     const normals = '#include <normal_fragment_begin>', end = '#include <opaque_fragment>';
     shader.fragmentShader =
         shader.fragmentShader
             .replace(normals, `${normals}
-                float facing = dot(normal, normalize(vViewPosition));
-                normal = facing < 0.0 ? -normal : normal;`)
-            .replace(end, `diffuseColor.a = 1.0 - pow(1.0 - diffuseColor.a, 1.0 / max(abs(facing), 0.1));
+                vec3 plane = cross(dFdx(vViewPosition), dFdy(vViewPosition)), view = normalize(vViewPosition);
+                normal = dot(normal, plane) * dot(view, plane) < 0.0 ? -normal : normal;
+                float facing = max(dot(normal, view), 0.1);
+                normal = normalize(normal + (facing - dot(normal, view)) * view);`)
+            .replace(end, `diffuseColor.a = 1.0 - pow(1.0 - diffuseColor.a, 1.0 / facing);
                 ${end}`);
 }
 
@@ -167,7 +170,6 @@ class SurfaceView {
         const material = new THREE.MeshPhongMaterial({
             color: SURFACE_TONES[i % SURFACE_TONES.length],
             side: THREE.DoubleSide,
-            forceSinglePass: true, /* both sides at once, also of one that is seen through */
             shininess: 18,
             specular: 0x161616
         });
