@@ -116,9 +116,9 @@ function viewerDirection(azimuth, elevation) {
 
 /* Two rules of touchstone render (lab/render/shade.c). Both sides of a surface are lit alike, wherever its
  * normals point: three.js takes for the lit side the one from which the corners go round to the left, which
- * files need not keep to. The triangle tells which side is seen: at the outline of a coarse surface the normal
- * between its corners may point away, and is bent back. And a layer that is seen through holds back more light
- * at an angle, for the way through it is longer. */
+ * files need not keep to. The triangle tells which side is seen: at the outline of a coarse surface the
+ * normal between its corners may point away, and is bent back. And a layer that is seen through holds back
+ * more light at an angle, for the way through it is longer. */
 function shadeAsRender(shader) {
     const normals = '#include <normal_fragment_begin>', end = '#include <opaque_fragment>';
     shader.fragmentShader =
