@@ -120,6 +120,35 @@ fit late.cfg
 check "a run that fails at the start is an error" ended_with 65
 check "and it is told" said '^touchstone fit: late.cfg:[0-9]+: x 2: y failed: '
 
+# --- values that no machine can have: a byte is never slower between nodes than from the host (1 us) ---
+cat >byte.c <<'END2'
+#include <stdio.h>
+#include "nx.h"
+int main(void)
+{
+    char bytes[100] = {0};
+    for (int i = 0; i < 100; i++)
+        mynode() ? crecv(1, bytes, sizeof bytes) : csend(1, bytes, sizeof bytes, 1, 0);
+    if (mynode())
+        printf("y %.9f\n", dclock());
+    return 0;
+}
+END2
+"$BUILD/nxcc" -O2 -o byte byte.c
+cat >byte.cfg <<END2
+program = "byte";
+machine = "ipsc860";
+axes = ( { name = "nodes"; values = ( 2 ); } );
+fit = {
+    parameters = ( { name = "byte"; set = "net.short_us_per_byte={}"; from = 0.5; to = 2.0; start = 0.93; } );
+    measurements = ( { nodes = 2; y = $("$BUILD/touchstone" run -q -m ipsc860 -n 2 --set net.short_us_per_byte=0.97 byte | awk '{ print $2 }'); } );
+};
+END2
+fit byte.cfg
+check "an evaluation at values that no machine can have is told" said '^ +[0-9]+  a run failed  byte 1\.'
+check "and does not end the search" near byte 0.97
+check "the report names it" shows '^byte 1\.[0-9]+: no run: .*the link is faster than the channels'
+
 # --- cost factors: the program is built for each ---
 cp "$tests/parts.c" parts.c
 echo 'factors = ( { file = "parts.c"; factor = 1.37; } );' >true.cfg

@@ -76,7 +76,11 @@ for tone in $(sed -n '/ORDER\[\]/,/;/p' "$tests/../../sim/lab/render/colours.c" 
     check "surfaces are #$tone in pictures and on pages" grep -q "'#$tone'" "$tests/../../sim/lab/page/web/surface_section.js"
 done
 cp -r study twin
-page two.html run.trace many.trace study twin
+for i in 3 2 1; do
+    sed "/^end_header/,\$s/^\(-\?[01]\) \(-\?[01]\) \(-\?[01]\)\$/\1e$i \2e$i \3e$i/" "${name//\//}" >nested_$i.ply
+done
+"$BUILD/touchstone" render nested_?.ply -o nested.png >rendered
+page two.html run.trace many.trace study twin nested_?.ply
 check "a page of two traces and two studies is written" ended_with 0
 page - run.json
 check "- is standard output" grep -q '^<!doctype html>' out

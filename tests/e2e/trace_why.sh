@@ -165,6 +165,23 @@ traced -n 3 decides
 why t.trace
 check "the waits of the node that decides are not among those of the others" prints \
     'The other nodes waited for [0-9.]+ % of their time, [0-9.]+ ms in all\. Of all waiting, 100(\.0)? % was for node 1: '
+head -2 decides.c >parts.c
+cat >>parts.c <<'END'
+int main(void)
+{
+    char c = 0;
+    if (mynode() < 2)
+        work(mynode() ? 9000 : 6000), csend(mynode(), &c, 1, 2, 0);
+    else
+        crecv(0, &c, 1), crecv(1, &c, 1);
+    return 0;
+}
+END
+"$BUILD/nxcc" -O2 -o parts parts.c
+traced -n 3 parts
+why t.trace
+check "all shares of a sentence are of all waiting" prints \
+    'Of all waiting, 6[0-9]\.[0-9] % was for node 0: 6[0-9]\.[0-9] % because the sender still computed\.'
 
 # What if.
 run -q --json run.json -m ipsc860 -n 32 --set system.interrupt_us=0 served

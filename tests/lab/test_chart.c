@@ -263,6 +263,24 @@ static void one_line_needs_no_name(void **state)
     free(script);
 }
 
+/* A long title made the picture as wide as itself, many times as wide as its panels. */
+static void a_long_heading_has_several_lines(void **state)
+{
+    (void)state;
+    static char title[400];
+    struct picture p = TIME;
+    unsigned svg[2];
+    for (size_t i = 0; i < sizeof title - 1; i++)
+        title[i] = i % 8 == 7 ? ' ' : 'a';
+    p.title = title;
+    char *script = script_of(p);
+    assert_int_equal(
+        sscanf(strstr(script, "svg noenhanced size"), "svg noenhanced size %u,%u", &svg[0], &svg[1]), 2);
+    assert_true(svg[0] < 1200 && scale_text_width(title) > 2900);
+    says(script, "aaaaaaa'.\"\\n\".'aaaaaaa");
+    free(script);
+}
+
 /* The axis's name had no room left of wide numbers, and was not drawn. */
 static void wide_numbers_leave_room_for_the_name(void **state)
 {
@@ -401,6 +419,7 @@ int main(void)
         cmocka_unit_test(axes_have_words),
         cmocka_unit_test(speeds_have_their_ideal),
         cmocka_unit_test(one_line_needs_no_name),
+        cmocka_unit_test(a_long_heading_has_several_lines),
         cmocka_unit_test(wide_numbers_leave_room_for_the_name),
         cmocka_unit_test(nothing_is_no_less_than_zero),
         cmocka_unit_test(a_ratio_is_the_second_values_figure_by_the_firsts),

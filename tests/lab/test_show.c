@@ -127,6 +127,34 @@ static void classes_are_powers_of_two_and_the_host_is_apart(void **state)
     drop(&t);
 }
 
+/* What node 20, which serves the others, did was an eighth of a row that it shared. */
+static void of_many_nodes_those_that_serve_have_a_row_each(void **state)
+{
+    (void)state;
+    struct trace t = made_trace(512, VT_SECOND);
+    for (int32_t n = 0; n < 512; n++)
+        if (n != 20) {
+            int32_t send = made_call(&t, n, "csend", TRACE_SENDS, 1, 0, 10);
+            made_message(&t, send, TRACE_NONE, 20, 1, 10, 10, 20, 30);
+        }
+    struct node_rows r = node_rows_make(&t);
+    assert_int_equal(r.count, 66);
+    assert_text("16\u201319", node_rows_label(&r, &t, 2));
+    assert_text("20", node_rows_label(&r, &t, 3));
+    assert_text("21\u201323", node_rows_label(&r, &t, 4));
+    assert_text("24\u201331", node_rows_label(&r, &t, 5));
+    assert_text("512 nodes in 65 rows of 8, those that serve the others apart", node_rows_text(&r, "rows"));
+    assert_true(node_rows_heighten(&r, &t, 4) == 69);
+    assert_true(fabs(node_rows_edge(&r, 4) - node_rows_edge(&r, 3) - 4 / 69.0) < 1e-12);
+    node_rows_free(&r);
+    for (int32_t i = 0; i < t.message_count; i++)
+        t.messages[i].to = i % 17; /* too many rows */
+    r = node_rows_make(&t);
+    assert_int_equal(r.count, 64);
+    node_rows_free(&r);
+    drop(&t);
+}
+
 /* --- activities --- */
 
 /* Node 0 computes 0-10 and 40-100, and waits 15-35 of a call from 10 to 40; node 1 computes, and ends at
@@ -771,6 +799,7 @@ int main(void)
         cmocka_unit_test(bins_of_days_do_not_overflow),
         cmocka_unit_test(few_nodes_have_a_row_each_many_share),
         cmocka_unit_test(classes_are_powers_of_two_and_the_host_is_apart),
+        cmocka_unit_test(of_many_nodes_those_that_serve_have_a_row_each),
         cmocka_unit_test(rows_of_hosts_are_higher),
         cmocka_unit_test(activities_by_hand),
         cmocka_unit_test(a_handler_s_computing_is_told_apart),

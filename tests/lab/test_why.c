@@ -279,6 +279,26 @@ static void handler_busy(void **state)
     drop(&t, &f);
 }
 
+/* A message that lies at its receiver until the program posts hrecv is not on its way meanwhile: the path
+ * goes on with the program. */
+static void handler_posted_late(void **state)
+{
+    (void)state;
+    int32_t handler;
+    struct trace t = asking(&handler);
+    t.messages[t.handlers[handler].message].left = t.messages[t.handlers[handler].message].complete = 12;
+    struct found f = find(&t);
+    is_path(&f.path, (struct expected[]){{20, WHY_COMPUTING, 0},
+                                         {10, WHY_COMPUTING, 0}, /* since the receive was posted */
+                                         {10, WHY_HANDLERS, 0},
+                                         {20, WHY_HANDLERS, 0},
+                                         {10, WHY_HANDLERS, 0},
+                                         {10, WHY_NETWORK, TRACE_NONE},
+                                         {20, WHY_CALLS, 1},
+                                         {0}});
+    drop(&t, &f);
+}
+
 /* A handler that delays the program leads to the program, not to its message. */
 static void handler_in_the_way(void **state)
 {
@@ -742,6 +762,7 @@ int main(void)
         cmocka_unit_test(early_receiver),
         cmocka_unit_test(channel_busy),
         cmocka_unit_test(handler_busy),
+        cmocka_unit_test(handler_posted_late),
         cmocka_unit_test(handler_in_the_way),
         cmocka_unit_test(processors_are_busy_with_other_messages),
         cmocka_unit_test(a_class_and_a_cause_of_one_name_have_one_key),

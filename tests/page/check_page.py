@@ -485,6 +485,30 @@ def check_together(b):
     rule("two timelines: switched on again, it follows at once", views()[0] == views()[1], views())
 
 
+def check_nested(b):
+    """In the page of two; its surfaces are within each other."""
+    canvas = section(b, "Surfaces").find_element(By.TAG_NAME, "canvas")
+    shown = b.run("return arguments[0].view.meshes.map(m => m.material.opacity)", canvas)
+    with open(f"{folder}/rendered", encoding="utf-8") as file:
+        rendered = [float(line.split("opacity ")[1]) for line in file if "opacity" in line]
+    rule("surfaces: those around others are seen through, as touchstone render draws them",
+         len(shown) == 3 and all(abs(s - r) < 1e-3 for s, r in zip(shown, rendered)) and rendered[0] == 1 > rendered[1], (shown, rendered))
+    checked = b.run("return arguments[0].view.clearBoxes.map(c => c.checked)", canvas)
+    rule("surfaces: and their boxes say so", checked == [False, True, True], checked)
+    show(b, canvas)
+    upper = b.run("""return new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => {
+        const copy = document.createElement('canvas'), g = copy.getContext('2d', {willReadFrequently: true});
+        copy.width = 640;
+        copy.height = 360;
+        g.drawImage(arguments[0], 0, 0, 640, 360);
+        const d = g.getImageData(0, 0, 640, 180).data, sums = [];
+        for (let i = 0; i < d.length; i += 4)
+            if (d[i] !== d[0] || d[i + 1] !== d[1] || d[i + 2] !== d[2]) sums.push(d[i] + d[i + 1] + d[i + 2]);
+        done(sums.sort((a, b) => a - b)) })))""", canvas)
+    dark, middle = upper[len(upper) // 100], upper[len(upper) // 2]
+    rule("surfaces: a coarse one has no dark triangles at its outline", dark > 0.35 * middle, (dark, middle))
+
+
 def check_names(b):
     links = b.run("return [...document.querySelectorAll('nav a')].map(a => a.textContent)")
     rule("two studies of one title are told apart in the navigation", [l for l in links if l.startswith("Study")] == [
@@ -497,7 +521,7 @@ try:
     browser.open(page)
     for check in (check_tables, check_study, check_run, check_timeline, check_trace_rest, check_surfaces, check_keyboard,
                   check_widths, check_markup, check_colours, check_speed, check_together,
-                  check_names):
+                  check_nested, check_names):
         try:
             check(browser)
         except Exception as problem:  # what is not there is a rule that does not hold

@@ -3,13 +3,14 @@
 
 enum {
     HEADING = 42,
-    NOTES = 20,      /* below the heading */
-    TITLE = 24,      /* of a panel */
-    LABEL = 22,      /* of an axis */
-    GAP = 22,        /* between panels */
-    SAMPLE = 74,     /* a legend's sample of a line, with the room around it */
-    ENTRY = 20,      /* the height of a legend's entry */
-    ONE_WIDTH = 560, /* of the only panel */
+    HEADING_LINE = 20, /* that a further line of it takes */
+    NOTES = 20,        /* below the heading */
+    TITLE = 24,        /* of a panel */
+    LABEL = 22,        /* of an axis */
+    GAP = 22,          /* between panels */
+    SAMPLE = 74,       /* a legend's sample of a line, with the room around it */
+    ENTRY = 20,        /* the height of a legend's entry */
+    ONE_WIDTH = 560,   /* of the only panel */
     ONE_HEIGHT = 360,
     PANEL_WIDTH = 400, /* of one of several */
     PANEL_HEIGHT = 270,
@@ -53,7 +54,8 @@ struct layout layout_of(const struct layout_needs *needs)
     struct layout l = {.needs = *needs, .columns = columns_of(needs->panels)};
     unsigned rows = ((unsigned)needs->panels + l.columns - 1) / l.columns;
     unsigned title = needs->panel_titles ? TITLE : 0;
-    l.first = (struct box){LABEL + needs->y_labels, HEADING + (needs->notes ? NOTES : 0) + title,
+    unsigned heading = HEADING + (needs->heading_lines - 1) * HEADING_LINE;
+    l.first = (struct box){LABEL + needs->y_labels, heading + (needs->notes ? NOTES : 0) + title,
                            layout_panel_width(needs->panels), panel_height(needs->panels)};
     l.right = l.first.width + needs->y_labels + GAP;
     l.down = l.first.height + needs->x_labels + title + GAP;
@@ -63,6 +65,11 @@ struct layout layout_of(const struct layout_needs *needs)
         l.width = needs->heading_width;
     l.height = bottom + needs->x_labels + LABEL + GAP / 2;
     return l;
+}
+
+unsigned layout_notes_top(const struct layout *l)
+{
+    return HEADING - 4 + (l->needs.heading_lines - 1) * HEADING_LINE;
 }
 
 struct box layout_panel(const struct layout *l, size_t panel)

@@ -16,7 +16,7 @@ struct layout_needs {
     unsigned y_labels, x_labels; /* the room that the axes' tic labels take beside a panel, and below it */
     size_t entries;              /* of the legend; 0: there is no legend */
     unsigned entry_width;        /* of its longest text */
-    unsigned heading_width;
+    unsigned heading_width, heading_lines;
 };
 
 struct layout {
@@ -33,6 +33,8 @@ struct layout {
 unsigned layout_panel_width(size_t panels);
 
 struct layout layout_of(const struct layout_needs *needs);
+/* How far from the top the notes are. */
+unsigned layout_notes_top(const struct layout *l);
 /* The frame of a panel. */
 struct box layout_panel(const struct layout *l, size_t panel);
 /* Is the panel the first of its row; is there none below it? */

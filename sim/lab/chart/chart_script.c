@@ -15,11 +15,13 @@
 #include <string.h>
 
 static const char IDEAL[] = "ideal";
+enum { LEAST_LINE = 720 }; /* a heading as wide is one line, also of a picture that is narrower */
 
 struct script {
     const struct picture *picture;
     const struct chart_data *data;
-    const char *heading, *notes;
+    char *heading; /* lay_out() breaks it into lines */
+    const char *notes;
     struct scale x;
     struct scale *y;   /* of each panel */
     const char *ideal; /* the ideal line as gnuplot's expression in x; NULL: there is none */
@@ -156,6 +158,18 @@ static void write_words(const char *before, const char *text, FILE *out)
     fputc('\n', out);
 }
 
+/* As a text of gnuplot, of several lines. */
+static void write_heading(const char *text, FILE *out)
+{
+    fputs("heading = ", out);
+    char *rest = xstrdup(text), *next = rest;
+    for (char *line; (line = strsep(&next, "\n"));) {
+        scale_write_quoted(line, out);
+        fputs(next ? ".\"\\n\"." : "\n", out);
+    }
+    free(rest);
+}
+
 /* The line's label, malloc'd; if another line hides it, also that line's: "groups of 8 (= one host)". */
 static char *entry_of(const struct chart_data *d, size_t line)
 {
@@ -235,16 +249,44 @@ static void add_names(const struct script *s, struct layout_needs *needs)
         needs->y_labels = reach - inside;
 }
 
+/* Of the heading's letters from one place up to another, which are larger than others. */
+static unsigned heading_width(const char *from, const char *to)
+{
+    return (scale_text_width(from) - scale_text_width(to)) * 4 / 3;
+}
+
+/* Breaks the heading at blanks into lines that are no wider, unless a word is: a long one would make the
+ * picture many times as wide as its panels. */
+static void break_heading(char *text, struct layout_needs *needs, unsigned width)
+{
+    char *line = text, *blank = NULL;
+    needs->heading_lines = 1;
+    for (char *c = text;; c++) {
+        if (*c && *c != ' ')
+            continue;
+        if (blank && heading_width(line, c) > width) {
+            *blank = '\n';
+            line = blank + 1;
+            needs->heading_lines++;
+        }
+        unsigned wide = heading_width(line, c) + 40;
+        needs->heading_width = wide > needs->heading_width ? wide : needs->heading_width;
+        if (!*c)
+            return;
+        blank = c;
+    }
+}
+
 static struct layout lay_out(const struct script *s)
 {
     const struct chart_data *d = s->data;
-    unsigned heading = scale_text_width(s->heading) * 4 / 3, notes = scale_text_width(s->notes);
     struct layout_needs needs = {.panels = d->panels.count,
                                  .panel_titles = *d->panels.name,
                                  .notes = *s->notes,
                                  .y_labels = room_for_numbers(s),
                                  .x_labels = 24,
-                                 .heading_width = (heading > notes ? heading : notes) + 40};
+                                 .heading_lines = 1,
+                                 .heading_width = scale_text_width(s->notes) + 40};
     add_names(s, &needs);
     needs.entry_width = scale_text_width(or_else(s->picture->lines_label, d->lines.name));
     for (size_t line = 0; *d->lines.name && line < d->lines.count; line++) {
@@ -259,6 +301,8 @@ static struct layout lay_out(const struct script *s)
     needs.entries += s->ideal != NULL;
     if (needs.entry_width < scale_text_width(IDEAL))
         needs.entry_width = scale_text_width(IDEAL);
+    unsigned width = layout_of(&needs).width;
+    break_heading(s->heading, &needs, width > LEAST_LINE ? width : LEAST_LINE);
     return layout_of(&needs);
 }
 
@@ -384,7 +428,7 @@ static void write_page(const struct script *s, bool svg, const char *dir)
     free(path);
     fputs("set multiplot title heading font ',13'\nunset key\nset samples 400\n", s->out);
     fprintf(s->out, "set label 1 notes at screen 0.5, screen %.5f center font ',9' textcolor rgb '#505050'\n",
-            1 - 38.0 / s->layout.height);
+            1 - (double)layout_notes_top(&s->layout) / s->layout.height);
     write_grid(s);
     for (size_t panel = 0; panel < s->data->panels.count; panel++) {
         write_panel(s, panel);
@@ -420,7 +464,7 @@ bool chart_script_write(const json_t *header, const struct picture *p, const str
         s.layout = lay_out(&s);
         fputs("set encoding utf8\n", out);
         write_data(&s);
-        write_words("heading = ", heading, out);
+        write_heading(heading, out);
         write_words("notes = ", notes, out);
         write_page(&s, false, dir);
         write_page(&s, true, dir);

@@ -17,13 +17,14 @@ static bool is_shown(const struct trace *t, const struct trace_node *n)
 }
 
 /* Puts a node into the last row, or into a new one. */
-static void add(struct node_rows *r, const struct trace *t, int32_t node)
+static void add(struct node_rows *r, const struct trace *t, int32_t node, bool apart)
 {
     struct node_class *last = r->count ? &r->classes[r->count - 1] : NULL;
     bool host = is_host(t, node);
-    if (!last || host || last->size == r->per) {
+    if (!last || host || apart || last->apart || r->nodes % r->per == 0) {
         last = &r->classes[r->count++];
-        *last = (struct node_class){.first = node};
+        *last = (struct node_class){.first = node, .apart = apart};
+        r->apart += apart;
     }
     last->last = node;
     last->size++;
@@ -32,7 +33,8 @@ static void add(struct node_rows *r, const struct trace *t, int32_t node)
     r->nodes++;
 }
 
-static struct node_rows rows_of(const struct trace *t, int32_t per)
+/* apart: of each node, whether it has a row of its own; NULL: none. */
+static struct node_rows rows_of(const struct trace *t, int32_t per, const bool *apart)
 {
     size_t room = (size_t)t->node_count;
     struct node_rows r = {.per = per};
@@ -41,26 +43,9 @@ static struct node_rows rows_of(const struct trace *t, int32_t per)
     for (int32_t n = 0; n < t->node_count; n++) {
         r.row[n] = TRACE_NONE;
         if (is_shown(t, &t->nodes[n]))
-            add(&r, t, n);
+            add(&r, t, n, apart && apart[n]);
     }
     return r;
-}
-
-struct node_rows node_rows_single(const struct trace *t)
-{
-    return rows_of(t, 1);
-}
-
-struct node_rows node_rows_make(const struct trace *t)
-{
-    struct node_rows r = rows_of(t, 1);
-    int32_t nodes = r.nodes - r.host, per = 2;
-    if (nodes <= NODE_ROWS_SINGLE)
-        return r;
-    node_rows_free(&r);
-    while ((nodes + per - 1) / per > NODE_ROWS_CLASSES)
-        per *= 2;
-    return rows_of(t, per);
 }
 
 /* How many messages a row's nodes sent and received. malloc'd. */
@@ -85,11 +70,43 @@ static bool *find_hosts(const struct node_rows *r, const struct trace *t, int32_
         sum += messages[i];
     *count = 0;
     for (int32_t i = 0; i < r->count; i++) {
-        hosts[i] = is_host(t, r->classes[i].first) || (r->per == 1 && messages[i] > 2 * sum / r->count);
+        hosts[i] = is_host(t, r->classes[i].first) ||
+                   (r->per == 1 ? messages[i] > 2 * sum / r->count : r->classes[i].apart);
         *count += hosts[i];
     }
     free(messages);
     return hosts;
+}
+
+struct node_rows node_rows_single(const struct trace *t)
+{
+    return rows_of(t, 1, NULL);
+}
+
+/* Which nodes have a row of their own among many that share one: hosts, if they are few. malloc'd. */
+static bool *find_apart(const struct node_rows *single, const struct trace *t)
+{
+    int32_t count;
+    bool *hosts = find_hosts(single, t, &count), *apart = xcalloc((size_t)t->node_count, sizeof *apart);
+    for (int32_t i = 0; i < single->count && count <= NODE_ROWS_APART; i++)
+        apart[single->classes[i].first] = hosts[i] && !is_host(t, single->classes[i].first);
+    free(hosts);
+    return apart;
+}
+
+struct node_rows node_rows_make(const struct trace *t)
+{
+    struct node_rows single = rows_of(t, 1, NULL);
+    int32_t nodes = single.nodes - single.host, per = 2;
+    if (nodes <= NODE_ROWS_SINGLE)
+        return single;
+    while ((nodes + per - 1) / per > NODE_ROWS_CLASSES)
+        per *= 2;
+    bool *apart = find_apart(&single, t);
+    struct node_rows r = rows_of(t, per, apart);
+    free(apart);
+    node_rows_free(&single);
+    return r;
 }
 
 double node_rows_heighten(struct node_rows *r, const struct trace *t, double times)
@@ -129,7 +146,8 @@ char *node_rows_text(const struct node_rows *r, const char *what)
                              : xasprintf("1 node%s", r->host ? " and the host" : "");
     if (r->per == 1)
         return text;
-    char *all = xasprintf("%s in %d %s of %d", text, r->count - r->host, what, r->per);
+    char *all = xasprintf("%s in %d %s of %d%s", text, r->count - r->host - r->apart, what, r->per,
+                          r->apart ? ", those that serve the others apart" : "");
     free(text);
     return all;
 }

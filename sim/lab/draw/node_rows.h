@@ -1,22 +1,25 @@
 /* node_rows.h - the rows of a picture: a node each, or, of many nodes, a class each: neighbouring numbers,
- * a power of two of them. The host is a row of its own. */
+ * a power of two of them. The host is a row of its own, and so are a few nodes that serve the others. */
 #ifndef LAB_DRAW_NODE_ROWS_H
 #define LAB_DRAW_NODE_ROWS_H
 #include "lab/trace/trace_model.h"
 
 enum {
     NODE_ROWS_SINGLE = 128, /* so many nodes have a row each */
-    NODE_ROWS_CLASSES = 64  /* of more nodes: so many classes at most */
+    NODE_ROWS_CLASSES = 64, /* of more nodes: so many classes at most */
+    NODE_ROWS_APART = 16    /* and so many hosts at most, each in a row of its own beside them */
 };
 
 struct node_rows {
     int32_t nodes; /* in rows, all of them */
     int32_t count; /* rows */
-    int32_t per;   /* nodes a row; the last row may have fewer, the host's has one */
+    int32_t per;   /* nodes a row; the last row may have fewer, and one beside a host; a host's has one */
+    int32_t apart; /* rows of nodes that serve the others, where rows are of several nodes */
     bool host;     /* the last row is the host's */
     int32_t *row;  /* of each of trace.nodes; TRACE_NONE: not in the picture */
     struct node_class {
         int32_t first, last, size; /* indexes into trace.nodes; last is in the class */
+        bool apart;                /* one node, which serves the others */
     } * classes;                   /* one a row */
     double *edge; /* where each row begins, and the last one ends, of a height of 1; NULL: all are as high */
 };

@@ -117,6 +117,20 @@ static struct given give(const struct fit *f, const double position[])
     return g;
 }
 
+/* No machine, or no study, can have these values: as if all runs had failed. In the first evaluation that is
+ * an error. */
+static bool is_impossible(struct fit *f, const char *at)
+{
+    if (!f->evaluations)
+        return false;
+    add_failed(f, at, "no run", f->error);
+    free(f->error);
+    f->error = NULL;
+    for (size_t i = 0; i < f->measurements; i++)
+        f->computed[i] = NAN;
+    return true;
+}
+
 static bool run(struct fit *f, const double position[], const char *at)
 {
     struct study_options o = f->options->study;
@@ -127,6 +141,7 @@ static bool run(struct fit *f, const double position[], const char *at)
     o.set = (const char *const *)g.set;
     o.arguments = (const char *const *)g.arguments;
     struct study *study = study_open(&o, &f->error);
+    bool impossible = !study && is_impossible(f, at);
     enum study_end end = study ? study_run(study, &f->error) : STUDY_ERROR;
     if (end == STUDY_STOPPED)
         f->error = xasprintf("stopped by a signal; the same command goes on from here");
@@ -140,7 +155,7 @@ static bool run(struct fit *f, const double position[], const char *at)
     study_close(study);
     words_free(g.set);
     words_free(g.arguments);
-    return good;
+    return good || impossible;
 }
 
 /* "send 40.0000  interrupt 89.4427": the numbers that fit_text gives, with noughts; malloc'd. */

@@ -177,6 +177,8 @@ static int32_t wait_ending_here(const struct walk *w, const struct trace_piece *
     return wait != TRACE_NONE && w->t->waits[wait].end == w->at ? wait : TRACE_NONE;
 }
 
+/* A message that was here before it made its handler due lay there until the program posted the receive: then
+ * the program counts. */
 static void go_back(struct walk *w)
 {
     leave_handler(w);
@@ -186,6 +188,10 @@ static void go_back(struct walk *w)
         w->due.message = TRACE_NONE;
     if (w->due.message != TRACE_NONE && w->at <= w->due.at) {
         const struct trace_message *m = &w->t->messages[w->due.message];
+        if (m->to == w->node && m->complete < w->due.at) {
+            go_on_at(w, w->node);
+            return;
+        }
         bool leaves = m->to != w->node || m->complete != w->due.at;
         along_message(w, w->due.message, leaves, TRACE_NONE);
         return;

@@ -311,7 +311,8 @@ static int by_idle(const void *a, const void *b)
     return x->cause != y->cause ? (int)x->cause - (int)y->cause : (int)x->doing - (int)y->doing;
 }
 
-/* Why nodes, but for one, waited for the partner (TRACE_NONE: for anybody), the longest first. */
+/* Why nodes, but for one, waited for the partner (TRACE_NONE: for anybody), the longest first; in shares of
+ * all their waiting. */
 static void say_reasons(const struct why *w, int32_t but, int32_t partner, vtime all, FILE *f)
 {
     struct reason reasons[WAIT_CAUSES * TRACE_STATES];
@@ -370,7 +371,7 @@ static void waiting(struct why *w, FILE *f)
                 node_words(w, partner));
     else
         fputs(": ", f);
-    say_reasons(w, but, mainly ? partner : TRACE_NONE, mainly ? for_one : idle, f);
+    say_reasons(w, but, mainly ? partner : TRACE_NONE, idle, f);
     fputc('.', f);
 }
 

@@ -9,8 +9,9 @@ function surfaceSummary(data) {
     };
 }
 
-const SLOW_PICTURE = 120; /* ms */
-const COARSE_CELLS = 48;  /* along the longest side */
+const SLOW_PICTURE = 120;  /* ms */
+const COARSE_CELLS = 48;   /* along the longest side */
+const MOST_OPACITY = 0.35; /* of a surface that is seen through */
 /* Colours of surfaces and of nodes are those of touchstone render (lab/render/colours.c). */
 const SURFACE_TONES =
     ['#56b4e9', '#e69f00', '#009e73', '#cc79a7', '#d55e00', '#f0e442', '#0072b2', '#999999'];
@@ -71,7 +72,7 @@ function surfaceSection(surfaces) {
         element('p', {class: 'note hint'},
             'Drag to turn, wheel or two fingers to zoom, right button or two fingers to move. Keys: ',
             keys('← → ↑ ↓'), ' turn, ', keys('+ −'), ' zoom, ', keys('0'), ' everything.'));
-    view.outermostClear();
+    view.outerClear();
     onWidth(plot, width => view.resize(width));
     return section;
 }
@@ -115,16 +116,19 @@ function viewerDirection(azimuth, elevation) {
 
 /* Two rules of touchstone render (lab/render/shade.c). Both sides of a surface are lit alike, wherever its
  * normals point: three.js takes for the lit side the one from which the corners go round to the left, which
- * files need not keep to. And a layer that is seen through holds back more light at an angle, for the way
- * through it is longer. */
+ * files need not keep to. The triangle tells which side is seen: at the outline of a coarse surface the
+ * normal between its corners may point away, and is bent back. And a layer that is seen through holds back
+ * more light at an angle, for the way through it is longer. */
 function shadeAsRender(shader) {
     const normals = '#include <normal_fragment_begin>', end = '#include <opaque_fragment>';
     shader.fragmentShader =
         shader.fragmentShader
             .replace(normals, `${normals}
-                float facing = dot(normal, normalize(vViewPosition));
-                normal = facing < 0.0 ? -normal : normal;`)
-            .replace(end, `diffuseColor.a = 1.0 - pow(1.0 - diffuseColor.a, 1.0 / max(abs(facing), 0.1));
+                vec3 plane = cross(dFdx(vViewPosition), dFdy(vViewPosition)), view = normalize(vViewPosition);
+                normal = dot(normal, plane) * dot(view, plane) < 0.0 ? -normal : normal;
+                float facing = max(dot(normal, view), 0.1);
+                normal = normalize(normal + (facing - dot(normal, view)) * view);`)
+            .replace(end, `diffuseColor.a = 1.0 - pow(1.0 - diffuseColor.a, 1.0 / facing);
                 ${end}`);
 }
 
@@ -140,6 +144,7 @@ class SurfaceView {
         this.camera.up.set(0, 0, 1); /* as in touchstone render */
         this.upright = new THREE.Quaternion().setFromUnitVectors(this.camera.up, new THREE.Vector3(0, 1, 0));
         this.clearBoxes = [];
+        this.clear = MOST_OPACITY;
         this.meshes = surfaces.map((s, i) => this.makeMesh(s.data, i));
         this.whole = this.meshes.map(m => m.geometry);
         this.coarseGeometry = [];
@@ -165,7 +170,6 @@ class SurfaceView {
         const material = new THREE.MeshPhongMaterial({
             color: SURFACE_TONES[i % SURFACE_TONES.length],
             side: THREE.DoubleSide,
-            forceSinglePass: true, /* both sides at once, also of one that is seen through */
             shininess: 18,
             specular: 0x161616
         });
@@ -317,15 +321,21 @@ class SurfaceView {
     }
     seeThrough(i, on) {
         Object.assign(this.meshes[i].material,
-            {transparent: on, opacity: on ? 0.35 : 1, depthWrite: !on, needsUpdate: true});
+            {transparent: on, opacity: on ? this.clear : 1, depthWrite: !on, needsUpdate: true});
         this.draw();
     }
-    /* Of several surfaces the largest is seen through, for it may hide the others. */
-    outermostClear() {
-        const size = m => new THREE.Box3().setFromObject(m).getSize(new THREE.Vector3()).length();
-        const sizes = this.meshes.map(size), i = sizes.indexOf(Math.max(...sizes));
-        if (this.meshes.length > 1)
-            this.seeThrough(i, this.clearBoxes[i].checked = true);
+    /* Surfaces around others are seen through; the more of them, the more so (lab/render/render_output.c).
+     * They are drawn after those within them, with which they blend. */
+    outerClear() {
+        const boxes = this.meshes.map(m => new THREE.Box3().setFromObject(m));
+        const encloses = (a, b) => !b.isEmpty() && a.containsBox(b) && !a.equals(b);
+        const within = boxes.map(a => boxes.filter(b => encloses(a, b)).length);
+        this.clear = Math.min(MOST_OPACITY, 1 - 0.25 ** (1 / Math.max(1, within.filter(n => n).length)));
+        within.forEach((n, i) => {
+            this.meshes[i].renderOrder = n;
+            if (n)
+                this.seeThrough(i, this.clearBoxes[i].checked = true);
+        });
     }
     colourBy(what) {
         this.meshes.forEach((m, i) => {
