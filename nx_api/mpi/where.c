@@ -147,7 +147,7 @@ static void append_frame(struct safe_text *t, const char *how, const struct fram
 static void append_library(struct safe_text *t, const struct frames *f)
 {
     if (f->in_nothing) {
-        safe_append(t, "  in no function: it called a pointer to none\n");
+        safe_append(t, "  in no function: it called a pointer that leads to none\n");
     } else if (f->library_call) {
         safe_append(t, "  in ");
         safe_append(t, f->library_call);

@@ -4,6 +4,7 @@
 #include "kernel/xalloc.h"
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
@@ -12,8 +13,13 @@
 
 #define UNFINISHED ".unfinished-" /* and six letters that are random */
 
+/* The temporary name of the file that was begun last; NULL: it is finished. */
+static char *volatile begun_last;
+
 static void forget(struct atomic_file *f)
 {
+    if (f->unfinished == begun_last)
+        begun_last = NULL;
     if (f->lock >= 0)
         close(f->lock);
     free(f->path);
@@ -80,7 +86,7 @@ static int make_unfinished(struct atomic_file *f)
         f->unfinished = xasprintf("%s" UNFINISHED "XXXXXX", f->path);
         int fd = mkostemp(f->unfinished, O_CLOEXEC);
         if (fd < 0 || flock(fd, LOCK_EX) != 0 || left_over_is_there(f->unfinished, fd))
-            return fd;
+            return begun_last = fd < 0 ? NULL : f->unfinished, fd;
         close(fd); /* taken for a dead process's before it was locked */
         free(f->unfinished);
     }
@@ -158,4 +164,21 @@ void atomic_file_drop(struct atomic_file *f)
     if (f->unfinished)
         unlink(f->unfinished);
     forget(f);
+}
+
+static void drop_and_end(int signal)
+{
+    if (begun_last)
+        unlink(begun_last);
+    raise(signal);
+}
+
+void atomic_file_drop_at_signals(void)
+{
+    static const int ENDING[] = {SIGINT, SIGTERM, SIGHUP};
+    const struct sigaction once = {.sa_handler = drop_and_end, .sa_flags = (int)SA_RESETHAND};
+    struct sigaction now;
+    for (size_t i = 0; i < sizeof ENDING / sizeof *ENDING; i++)
+        if (sigaction(ENDING[i], NULL, &now) == 0 && now.sa_handler != SIG_IGN)
+            sigaction(ENDING[i], &once, NULL);
 }

@@ -29,6 +29,10 @@ bool atomic_file_end(struct atomic_file *f, char **error);
 /* Gives the file up: removes what was written under the temporary name. */
 void atomic_file_drop(struct atomic_file *f);
 
+/* From now on SIGINT, SIGTERM and SIGHUP remove the file that was begun last before they end the process: for
+ * commands that write one file at a time and do nothing else at a signal. */
+void atomic_file_drop_at_signals(void);
+
 /* Removes what killed processes left that were writing a file to that path. It reads the folder: for files
  * whose writing takes as long as a run. */
 void atomic_file_remove_left(const char *path);

@@ -113,8 +113,11 @@ static bool lay_out(struct node_image *img, char **error)
     img->bytes = page_up(end[-1].p_vaddr + end[-1].p_memsz);
     img->data_bytes = img->bytes - img->data_at;
     if (img->bytes > NODE_REGION / 2)
-        return elf_fail(error, "%s: the program needs %llu MB, more than a node can address", f->path,
-                        (unsigned long long)(img->bytes >> 20));
+        return elf_fail(error,
+                        "%s: code and static data take %llu MB, and a node has room for %llu of them: take "
+                        "large arrays from malloc, or in Fortran by ALLOCATE",
+                        f->path, (unsigned long long)(img->bytes >> 20),
+                        (unsigned long long)(NODE_REGION / 2 >> 20));
     if (img->data_at < shared_end)
         return elf_fail(error, "%s: code and data share a page: link it with nxcc", f->path);
     for (const Elf64_Phdr *q = p; q < end; q++) {

@@ -342,7 +342,7 @@ static void print_frames(FILE *f, const struct node *n, const uintptr_t *frames,
         const char *called = g->depth > 1 ? backtrace_called(n, g->frames[1]) : NULL;
         bool to_none = g->signal == SIGSEGV && g->address == g->frames[0];
         fprintf(f, "\n  in %s",
-                to_none  ? "no function: it called a pointer to none"
+                to_none  ? "no function: it called a pointer that leads to none"
                 : called ? called
                          : "a library function");
     }

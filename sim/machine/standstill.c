@@ -196,7 +196,8 @@ static void print_polls(FILE *f, const struct node_system *s, const struct alike
     if (a->first.others >= 0.01)
         fprintf(f, "; and %.1f %% in other polls", 100 * a->first.others);
     if (p->asks && p->select.type >= 0 && !has_come(s, p->select.type))
-        fprintf(f, "; no message of type %" PRId64 " has come to any node", p->select.type);
+        fprintf(f, "; no message of %s %" PRId64 " has come to any node",
+                strncmp(p->call, "MPI_", 4) == 0 ? "tag" : "type", p->select.type);
     const struct node *bad = node_bad_exit(s);
     if (bad)
         fprintf(f, "; look at %s first, which ended with exit(%d)", bad->cold->name, bad->end.exit_code);

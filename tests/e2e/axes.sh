@@ -104,6 +104,8 @@ plot first --x clock --y virtual_time_s --ratio nodes
 check "an axis of more than two values has no ratio" said 'no picture virtual_time_s: a ratio needs an axis of two values; nodes has 3'
 plot first --x knots --y virtual_time_s
 check "no such axis" said 'no picture virtual_time_s: there is no axis knots; there are: nodes, clock'
+plot first --x nodse --y virtual_time_s
+check "an axis misspelt" said 'no picture virtual_time_s: there is no axis nodse; did you mean nodes\? There are: nodes, clock'
 plot axes.cfg
 check "a study is no results" said 'axes.cfg:1: these are no results of touchstone study'
 plot first --x nodes --y nothing

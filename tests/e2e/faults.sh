@@ -29,7 +29,7 @@ fault length 1 'node 1, at [0-9.]+ [mun]?s: gdsum: irecv\([0-9]+, buf, -8\): len
 check "length: lines of the library are left out" bash -c '! grep -q global.c err'
 fault illegal 1 'node 1 crashed .*: illegal instruction' '^  in main.*faults.c:'
 fault copy 1 'node 1 crashed .*: 0x8, a member of a null pointer, or a number that is no address$' '^  in memcpy$' '^  called from copy.*faults.c:' "$called"
-fault no_function 1 'node 1 crashed .*: a null pointer$' '^  in no function: it called a pointer to none$' '^  called from main.*faults.c:'
+fault no_function 1 'node 1 crashed .*: a null pointer$' '^  in no function: it called a pointer that leads to none$' '^  called from main.*faults.c:'
 fault heap 1 'node 1, at [0-9.]+ [mun]?s: free: 0x[0-9a-f]+ .*was written past its end' '^  called from .*faults.c:'
 fault heap_end 1 'node 1, at [0-9.]+ [mun]?s: its heap is damaged: .*behind the 20 bytes at'
 fault heap_before 1 'node 1, at [0-9.]+ [mun]?s: free: 0x[0-9a-f]+ was not allocated'

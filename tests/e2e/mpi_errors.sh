@@ -30,7 +30,7 @@ on_mpi 2 ./crashes stack
 check "a full stack is told" said '^nx: node 1: crashed \(segmentation fault\) computing: the stack is full'
 check "and where" said "^  in deep\(\) \(crashes.c:"
 on_mpi 2 ./crashes pointer
-check "a wrong pointer to a function" said '^  in no function: it called a pointer to none$'
+check "a wrong pointer to a function" said '^  in no function: it called a pointer that leads to none$'
 check "and what called it" said "^  called from crash\(\) \(crashes.c:$(line 'none();')\)"
 on_mpi 2 ./crashes abort
 check "abort" said '^nx: node 1: crashed \(abort was called\) computing$'

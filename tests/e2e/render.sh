@@ -140,4 +140,10 @@ for format in png webp obj; do
     ln -s /dev/full "full.$format"
     wrong "a full disk, .$format" 1 "full.$format cannot be written" ball_5.ply -o "full.$format"
 done
+"$BUILD/touchstone" render ball_5.ply --turntable 360 --size 1600x1200 -o stopped.webp 2>err &
+begun() { ls stopped.webp.unfinished-* 2>/dev/null; }
+awaited begun >files
+kill -TERM $!
+wait $! 2>/dev/null
+check "SIGTERM ends it" test $? = 143
 check "nothing half-written is left" test -z "$(ls -d ./*.unfinished-* 2>/dev/null)"

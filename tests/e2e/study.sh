@@ -46,6 +46,10 @@ check "a PNG has twice the SVG's pixels" test "$(width first/time.png)" = \
     "$(awk -F'"' '/^ width=/ { print 2 * $2 }' first/time.svg)"
 for f in time best; do check "picture $f" test -s first/$f.png -a -s first/$f.svg; done
 
+script -qec "$BUILD/touchstone study --no-cache halves.cfg -o shown" /dev/null </dev/null >terminal
+check "on a terminal: a point that is done is not running" bash -c \
+    'grep -q "4 of 4 done, 0 running" terminal && ! grep -qE "4 of 4 done, [1-9]" terminal'
+
 sed '/^only/d; s/( 2, 4, 8 )/( 2 )/; s/( 0.5, 3 )/( 0.5 )/; /^pictures/,/^);/d' halves.cfg >all.cfg
 study all.cfg -o all
 check "findings: a study of all combinations leaves out none" grep -qx 'halves at 2 points: 1 value of nodes, 1 of share, 2 of call_us.' all/findings.md

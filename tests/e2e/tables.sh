@@ -2,9 +2,10 @@
 # tables.sh - touchstone tables from end to end: prints a table's figures, equal in two runs.
 . "$(dirname "$0")/common.bash"
 
-"$BUILD/touchstone" tables -t 1 -o first >out 2>err
+"$BUILD/touchstone" tables -t 1 -o first --json - >json 2>out
 status=$?
 check "it ends well" ended_with 0
+check "--json -: JSON alone, that of tables.json" cmp json first/tables.json
 check "every row stands beside the paper's" test "$(grep -cE '^ +[0-9]+ +[0-9.]+ +[0-9.]+ +[-+]?[0-9.]+ %' out)" = 8
 check "an error of nothing has no sign" bash -c '! grep -qE "[-+]0\.0 %" out'
 # Of a line: where its words end; the sign and the unit of an error belong to its word.

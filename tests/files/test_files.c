@@ -136,6 +136,25 @@ static void only_what_nobody_writes_is_left_over(void **state)
     assert_int_equal(system("test $(ls | wc -l) = 4"), 0);
 }
 
+static void at_a_signal_the_file_being_written_is_removed(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        struct atomic_file f;
+        char *error = NULL;
+        int status, signal = i ? SIGTERM : SIGINT;
+        pid_t child = fork();
+        if (child == 0) {
+            atomic_file_drop_at_signals();
+            atomic_file_begin(&f, "r", &error);
+            raise(signal);
+        }
+        assert_int_equal(waitpid(child, &status, 0), child);
+        assert_true(WIFSIGNALED(status) && WTERMSIG(status) == signal);
+        assert_int_equal(system("test $(ls | wc -l) = 0"), 0);
+    }
+}
+
 static void a_link_stays_and_its_target_is_written(void **state)
 {
     struct stat st;
@@ -384,6 +403,7 @@ int main(void)
         TEST(a_result_is_there_whole_or_not_at_all),
         TEST(a_result_that_has_no_place_is_known_before_the_work),
         TEST(only_what_nobody_writes_is_left_over),
+        TEST(at_a_signal_the_file_being_written_is_removed),
         TEST(a_link_stays_and_its_target_is_written),
         TEST(a_pipe_gets_what_is_written),
         TEST(what_could_not_be_written_is_an_error),

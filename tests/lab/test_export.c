@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "lab/export/csv_table.h"
 #include "lab/export/export.h"
 #include "made_trace.h"
 
@@ -390,6 +391,35 @@ static void folders_are_not_overwritten(void **state)
     drop(&t);
 }
 
+/* As on a terminal that has waited for more than a second. */
+static char *shown_of_table(const struct trace *t, enum export_table table)
+{
+    char *shown;
+    size_t size;
+    FILE *to = open_memstream(&shown, &size), *out = tmpfile();
+    struct export_progress p = export_progress_begin(to, t->node_count);
+    p.began -= 2;
+    csv_table_write(t, table, out, &p);
+    fclose(out);
+    fclose(to);
+    return shown;
+}
+
+static void a_terminal_sees_how_much_of_a_table_is_written(void **state)
+{
+    (void)state;
+    struct trace t = exchange();
+    for (enum export_table table = 0; table < EXPORT_TABLES; table++) {
+        char *shown = shown_of_table(&t, table);
+        if (table == EXPORT_PIECES)
+            assert_non_null(strstr(shown, "\r1 of 2 nodes written"));
+        else if (table == EXPORT_MESSAGES)
+            assert_non_null(strstr(shown, "\r0 of 2 rows written"));
+        free(shown);
+    }
+    drop(&t);
+}
+
 static void no_file_is_left_of_a_failure(void **state)
 {
     (void)state;
@@ -425,6 +455,7 @@ int main(void)
         cmocka_unit_test(tables_are_tables),
         cmocka_unit_test(many_lines_in_order),
         cmocka_unit_test(folders_are_not_overwritten),
+        cmocka_unit_test(a_terminal_sees_how_much_of_a_table_is_written),
         cmocka_unit_test(no_file_is_left_of_a_failure),
     };
     if (!mkdtemp(folder))

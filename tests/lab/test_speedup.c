@@ -132,7 +132,8 @@ static void a_programs_own_figure_stays(void **state)
 static void mistakes_are_named(void **state)
 {
     static const char *const wrong[][2] = {
-        {"grop", "baseline \"grop\": there is no axis grop; there are: nodes, group, image"},
+        {"grop",
+         "baseline \"grop\": there is no axis grop; did you mean group? There are: nodes, group, image"},
         {"group=4", "baseline \"group=4\": axis group has no value 4"},
     };
     (void)state;

@@ -264,7 +264,7 @@ static void addresses_in_code_are_refused(void **state)
 static void programs_larger_than_a_span_are_refused(void **state)
 {
     assert_refused(build_as_nxcc(*state, "char x[600000000]; int main(void) { return x[3]; }"),
-                   "more than a node can address");
+                   "take 572 MB, and a node has room for 512 of them: take large arrays from malloc");
 }
 
 /* --- files that are damaged --- */

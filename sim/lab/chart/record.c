@@ -195,8 +195,13 @@ void record_free(struct record_points *points)
 
 char *record_no_axis(const json_t *axes, const char *name)
 {
+    struct edit_nearest like = {.meant = name};
+    const char *axis;
+    json_t *values;
+    json_object_foreach((json_t *)axes, axis, values) edit_see(&like, axis);
     char *names = json_keys_text(axes, NULL),
-         *text = xasprintf("there is no axis %s; there are: %s", name, names);
+         *text = xasprintf("there is no axis %s; %s%s%shere are: %s", name, like.best ? "did you mean " : "",
+                           like.best ? like.best : "", like.best ? "? T" : "t", names);
     free(names);
     return text;
 }

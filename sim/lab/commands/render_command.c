@@ -7,6 +7,7 @@
 #include "lab/commands/lab_commands.h"
 #include "cli/options.h"
 #include "cli/say.h"
+#include "files/atomic_file.h"
 #include "files/number.h"
 #include "kernel/xalloc.h"
 #include "lab/render/colours.h"
@@ -295,6 +296,7 @@ int cli_render(int argc, char **argv)
     struct arguments a = {.request = {.azimuth = 60, .elevation = 20, .zoom = 1}};
     cli_parse(&ARGP, "touchstone render", 0, argc, argv, &a);
     a.request.progress = isatty(STDERR_FILENO) ? show_progress : NULL;
+    atomic_file_drop_at_signals();
     int status = make(&a.request);
     free(a.chosen);
     return status;

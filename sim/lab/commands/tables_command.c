@@ -1,6 +1,7 @@
 /* tables_command.c - touchstone tables: the paper's tables, reproduced. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "lab/commands/lab_commands.h"
 #include "cli/installation.h"
 #include "cli/options.h"
@@ -30,7 +31,9 @@ static const struct argp_option OPTIONS[] = {
     {"explain", CLI_TEXT(arguments, explain), "ROW", 0,
      "Only show where the time of a row, such as 1:128, goes: by activity, processor and layer", 1},
     {"json", CLI_TEXT(arguments, json), "FILE", 0,
-     "With --explain: write JSON instead; '-' is standard output (of the tables, DIR/tables.json is it)", 1},
+     "Write what DIR/tables.json has, or with --explain the row's, as JSON; '-' is standard output, and the "
+     "tables go to standard error",
+     1},
     {0}};
 
 static const char DOC[] =
@@ -74,8 +77,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         read_tables(state, arg, a->tables);
     else if (key == 'o')
         a->dir = arg;
-    else if (key == ARGP_KEY_END && a->json && !a->explain)
-        argp_error(state, "--json is for --explain; the tables are in %s/tables.json", a->dir);
     else
         return cli_store(key, arg, state);
     return 0;
@@ -102,7 +103,8 @@ int cli_tables(int argc, char **argv)
                                      .ties = a.ties,
                                      .report = a.report,
                                      .choices = a.choices,
-                                     .out = stdout,
+                                     .json = a.json,
+                                     .out = a.json && !strcmp(a.json, "-") ? stderr : stdout,
                                      .progress = stderr,
                                      .signal = &signal};
     enum tables_end end =

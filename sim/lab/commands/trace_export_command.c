@@ -8,6 +8,7 @@
 #include "lab/commands/trace_warning.h"
 #include "cli/say.h"
 #include "cli/trace_options.h"
+#include "files/atomic_file.h"
 #include "kernel/xalloc.h"
 #include "lab/export/export.h"
 
@@ -148,6 +149,7 @@ int cli_trace_export(int argc, char **argv)
     cli_parse(&ARGP, "touchstone trace export", 0, argc, argv, &a);
     if (isatty(STDERR_FILENO) && (strcmp(a.request.out, "-") != 0 || !isatty(STDOUT_FILENO)))
         a.request.progress = stderr;
+    atomic_file_drop_at_signals();
     char **files = export_files(&a.request);
     int status = is_trace(a.trace, files)
                      ? failed(CLI_EXIT_INPUT, xasprintf("%s is the trace itself: name another file", a.trace))

@@ -69,7 +69,7 @@ static void put_place(FILE *out, const struct trace *t, int32_t stack)
 
 /* --- tables --- */
 
-static void put_pieces(const struct trace *t, FILE *out)
+static void put_pieces(const struct trace *t, FILE *out, const struct export_progress *p)
 {
     struct trace_pieces pieces = {0};
     fputs("node,begin_s,end_s,state,call,call_name,in_handler\n", out);
@@ -77,24 +77,26 @@ static void put_pieces(const struct trace *t, FILE *out)
         pieces.count = 0;
         if (t->nodes[n].traced)
             trace_pieces(t, n, &pieces);
-        for (const struct trace_piece *p = pieces.list; p < pieces.list + pieces.count; p++) {
+        for (const struct trace_piece *x = pieces.list; x < pieces.list + pieces.count; x++) {
             put_node(out, t, n);
-            put_span(out, p->begin, p->end);
-            put_text(out, trace_state_name(p->state));
-            put_index(out, p->call);
-            put_call_name(out, t, p->call);
-            fprintf(out, "%d\n", p->in_handler);
+            put_span(out, x->begin, x->end);
+            put_text(out, trace_state_name(x->state));
+            put_index(out, x->call);
+            put_call_name(out, t, x->call);
+            fprintf(out, "%d\n", x->in_handler);
         }
+        export_progress_show(p, n);
     }
     free(pieces.list);
 }
 
-static void put_calls(const struct trace *t, FILE *out)
+static void put_calls(const struct trace *t, FILE *out, const struct export_progress *p)
 {
     fputs("call,node,begin_s,end_s,name,called,type,in_handler,unfinished,first_message_sent,"
           "last_message_taken,function,file,line\n",
           out);
     for (const struct trace_call *c = t->calls; c < t->calls + t->call_count; c++) {
+        export_progress_rows(p, (size_t)(c - t->calls), (size_t)t->call_count);
         put_index(out, (int32_t)(c - t->calls));
         put_node(out, t, c->node);
         put_span(out, c->begin, c->unfinished ? VT_NEVER : c->end);
@@ -108,10 +110,11 @@ static void put_calls(const struct trace *t, FILE *out)
     }
 }
 
-static void put_waits(const struct trace *t, FILE *out)
+static void put_waits(const struct trace *t, FILE *out, const struct export_progress *p)
 {
     fputs("node,begin_s,end_s,idle_s,call,call_name,type,from,until\n", out);
     for (const struct trace_wait *w = t->waits; w < t->waits + t->wait_count; w++) {
+        export_progress_rows(p, (size_t)(w - t->waits), (size_t)t->wait_count);
         put_node(out, t, w->node);
         put_span(out, w->begin, w->end);
         put_time(out, w->idle);
@@ -123,10 +126,11 @@ static void put_waits(const struct trace *t, FILE *out)
     }
 }
 
-static void put_handlers(const struct trace *t, FILE *out)
+static void put_handlers(const struct trace *t, FILE *out, const struct export_progress *p)
 {
     fputs("node,due_s,begin_s,entered_s,left_s,end_s,type,message,unfinished,function,file,line\n", out);
     for (const struct trace_handler *h = t->handlers; h < t->handlers + t->handler_count; h++) {
+        export_progress_rows(p, (size_t)(h - t->handlers), (size_t)t->handler_count);
         put_node(out, t, h->node);
         put_time(out, h->due);
         put_span(out, h->begin, h->entered);
@@ -138,7 +142,7 @@ static void put_handlers(const struct trace *t, FILE *out)
     }
 }
 
-static void put_systems(const struct trace *t, FILE *out)
+static void put_systems(const struct trace *t, FILE *out, const struct export_progress *p)
 {
     static const char *const TASKS[] = {[TRACE_SENDING] = "sending",
                                         [TRACE_RECEIVING] = "receiving",
@@ -146,19 +150,21 @@ static void put_systems(const struct trace *t, FILE *out)
                                         [TRACE_EMPTYING] = "emptying"};
     fputs("node,begin_s,end_s,task\n", out);
     for (const struct trace_system *s = t->systems; s < t->systems + t->system_count; s++) {
+        export_progress_rows(p, (size_t)(s - t->systems), (size_t)t->system_count);
         put_node(out, t, s->node);
         put_span(out, s->begin, s->end);
         fprintf(out, "%s\n", TASKS[s->task]);
     }
 }
 
-static void put_messages(const struct trace *t, FILE *out)
+static void put_messages(const struct trace *t, FILE *out, const struct export_progress *p)
 {
     fputs(
         "message,from,to,from_address,to_address,type,bytes,long,sent_s,asked_s,granted_s,entered_s,moved_s,"
         "freed_s,left_s,complete_s,taken_s,sending_call,taking_call,blocks\n",
         out);
     for (const struct trace_message *m = t->messages; m < t->messages + t->message_count; m++) {
+        export_progress_rows(p, (size_t)(m - t->messages), (size_t)t->message_count);
         put_index(out, (int32_t)(m - t->messages));
         put_node(out, t, m->from);
         put_node(out, t, m->to);
@@ -174,22 +180,24 @@ static void put_messages(const struct trace *t, FILE *out)
     }
 }
 
-static void put_blocks(const struct trace *t, FILE *out)
+static void put_blocks(const struct trace *t, FILE *out, const struct export_progress *p)
 {
     char name[128];
     fputs("message,begin_s,end_s,channel,channel_name\n", out);
     for (const struct trace_block *b = t->blocks; b < t->blocks + t->block_count; b++) {
+        export_progress_rows(p, (size_t)(b - t->blocks), (size_t)t->block_count);
         put_index(out, b->message);
         put_span(out, b->begin, b->end);
         fprintf(out, "%" PRIu32 ",%s\n", b->channel, trace_channel_name(t, b->channel, name, sizeof name));
     }
 }
 
-void csv_table_write(const struct trace *t, enum export_table table, FILE *out)
+void csv_table_write(const struct trace *t, enum export_table table, FILE *out,
+                     const struct export_progress *p)
 {
-    static void (*const WRITE[])(const struct trace *t, FILE *out) = {
+    static void (*const WRITE[])(const struct trace *t, FILE *out, const struct export_progress *p) = {
         [EXPORT_PIECES] = put_pieces,     [EXPORT_CALLS] = put_calls,     [EXPORT_WAITS] = put_waits,
         [EXPORT_HANDLERS] = put_handlers, [EXPORT_SYSTEMS] = put_systems, [EXPORT_MESSAGES] = put_messages,
         [EXPORT_BLOCKS] = put_blocks};
-    WRITE[table](t, out);
+    WRITE[table](t, out, p);
 }

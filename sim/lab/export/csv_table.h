@@ -3,7 +3,9 @@
 #define LAB_EXPORT_CSV_TABLE_H
 #include <stdio.h>
 #include "lab/export/export.h"
+#include "lab/export/export_progress.h"
 
 /* table: not EXPORT_TABLES. Whether `out` failed, it says itself. */
-void csv_table_write(const struct trace *t, enum export_table table, FILE *out);
+void csv_table_write(const struct trace *t, enum export_table table, FILE *out,
+                     const struct export_progress *p);
 #endif

@@ -99,7 +99,7 @@ static bool write_file(const struct timeline *l, const struct export_request *r,
         return false;
     bool made = true;
     if (r->format == EXPORT_CSV)
-        csv_table_write(l->trace, table, f.out);
+        csv_table_write(l->trace, table, f.out, p);
     else
         made = FORMATS[r->format].write(l, f.out, p, error);
     if (made)

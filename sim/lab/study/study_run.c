@@ -187,7 +187,6 @@ static void end_task(struct study_session *e, struct task *t)
     free(t->json);
     free(t->profile);
     *t = (struct task){0};
-    e->running--;
 }
 
 static void ended(void *arg, struct pool_job *job)
@@ -196,6 +195,7 @@ static void ended(void *arg, struct pool_job *job)
     struct task *t = e->tasks;
     while (&t->job != job)
         t++;
+    e->running--;
     if (!job->stopped) /* a stopped run counts as not begun */
         record_end(e, t);
     end_task(e, t);

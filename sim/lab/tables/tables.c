@@ -28,6 +28,12 @@ static bool write_json(const struct results *r, const char *dir, char **error)
     return ok;
 }
 
+static bool write_all_json(const struct tables_options *o, const struct results *r, char **error)
+{
+    return write_json(r, o->dir, error) &&
+           (!o->json || json_write(results_json(r), o->json, JSON_READABLE_DIGITS, error));
+}
+
 /* Draws a picture for each table. A failure is printed on progress. */
 static bool draw(const struct tables_options *o, const struct results *r)
 {
@@ -62,7 +68,7 @@ static bool draw(const struct tables_options *o, const struct results *r)
 static enum tables_end write_down(const struct tables_options *o, struct results *r, char **error)
 {
     results_print(r, o->out);
-    if (!write_json(r, o->dir, error))
+    if (!write_all_json(o, r, error))
         return TABLES_ERROR;
     bool drawn = draw(o, r);
     fprintf(o->out, "%s/tables.json has all figures; the pictures are %s/table-N.png and .svg\n", o->dir,

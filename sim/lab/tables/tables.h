@@ -20,6 +20,7 @@ struct tables_options {
     bool ties;              /* compute the tie sensitivity of marked rows: tie_sensitivity.h */
     const char *report;     /* the file for the report (tables_report.h); NULL: none */
     const char *choices;    /* the file for the page of choices (choices.h); NULL: none */
+    const char *json;       /* a file that gets what DIR/tables.json has; NULL: none */
     FILE *out;              /* for the tables */
     FILE *progress;         /* for progress and warnings */
     int *signal;            /* set to the signal that stopped the runs, if one did */
