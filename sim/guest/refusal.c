@@ -41,10 +41,10 @@ void refusal_print(FILE *f, const struct node *n)
     fprintf(f, " bytes was refused");
     if (r->depth > 0)
         fprintf(f, " in %s", node_image_where(n->guest.file, place_of(n, r), where, sizeof where));
-    fprintf(f, ": %.1f of %.4g MB in use; ", (double)r->used / mb, all);
+    fprintf(f, ": %.1f of %.5g MB in use; ", (double)r->used / mb, all);
     if ((double)(r->used + r->bytes) > all * mb)
         fprintf(f, "--set %s=N gives more", n->is_host ? "host.memory_mb" : "node.memory_mb");
     else
-        fprintf(f, "this computer has addresses for %.4g MB a node, with so many nodes",
+        fprintf(f, "this computer has addresses for %.5g MB a node, with so many nodes",
                 (double)n->guest.region->heap_bytes / mb);
 }

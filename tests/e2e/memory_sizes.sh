@@ -95,6 +95,6 @@ check "high-water mark: freed blocks do not add up" test "$(took -50000 -60000 4
 # --- more than a gigabyte
 run -m cluster2026 -n 2 sizes 2000000000 1900000000
 check "nodes of 4 GB have nearly all of it" ended_with 0
-run -m cluster2026 -n 16384 --set topology.dimension=16 sizes 3000000000
+run -m cluster2026 -n 512 --set node.memory_mb=65536 sizes 50000000000
 check "so many nodes have no addresses for it: the report says that" \
-    said 'malloc of 3,000,000,000 bytes was refused in .*: [0-9.]* of 4096 MB in use; this computer has addresses for 10[0-9.]* MB a node, with so many nodes$'
+    said 'malloc of 50,000,000,000 bytes was refused in .*: [0-9.]* of 65536 MB in use; this computer has addresses for 39[0-9]* MB a node, with so many nodes$'
