@@ -100,10 +100,13 @@ static bool make_shape(struct machine *m, char **error)
             topo_add_host(&m->sys.topo);
         return has_addresses(&m->sys, error);
     }
-    *error = cube ? xasprintf("%s has no %u nodes: it is a hypercube of at most %u", c->name, n,
-                              1u << c->dimension)
-                  : xasprintf("%s has no rectangle of %u nodes: it is a mesh of %u x %u", c->name, n, c->rows,
-                              c->columns);
+    *error =
+        cube ? xasprintf("%s has no %u nodes: it is a hypercube of at most %u; --set topology.dimension=N "
+                         "makes it one of 2^N",
+                         c->name, n, 1u << c->dimension)
+             : xasprintf("%s has no rectangle of %u nodes: it is a mesh of %u x %u; --set topology.rows=N "
+                         "and --set topology.columns=N make it a larger one",
+                         c->name, n, c->rows, c->columns);
     return false;
 }
 
