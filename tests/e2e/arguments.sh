@@ -69,7 +69,7 @@ check "nxcc: gcc's are gcc's" test -x param
 wrong "a value that looks like an option is one" 65 'no machine "--threads"' run -m --threads ring
 wrong "no nodes" 64 "not '0'" run -n 0 ring
 wrong "more nodes than the mesh has" 65 "mesh of 16 x 33; --set topology.rows=N and --set topology.columns=N make it a larger one" run -m delta -n 600 ring
-wrong "more nodes than the cube has" 65 "at most 128; --set topology.dimension=N makes it one of 2^N" run -m ipsc860 -n 200 ring
+wrong "more nodes than the cube has" 65 "at most 128; --set topology.dimension=N makes it one of 2.N" run -m ipsc860 -n 200 ring
 wrong "words for a number" 64 "not 'many'" run -n many ring
 wrong "a program that is not there" 65 'nowhere' run nowhere
 wrong "a program of the host" 65 'nxcc' run /bin/true
