@@ -193,16 +193,21 @@ void record_free(struct record_points *points)
     json_decref(points->header);
 }
 
-char *record_no_axis(const json_t *axes, const char *name)
+char *record_key_meant(const json_t *keys, const char *name)
 {
     struct edit_nearest like = {.meant = name};
-    const char *axis;
-    json_t *values;
-    json_object_foreach((json_t *)axes, axis, values) edit_see(&like, axis);
-    char *names = json_keys_text(axes, NULL),
-         *text = xasprintf("there is no axis %s; %s%s%shere are: %s", name, like.best ? "did you mean " : "",
-                           like.best ? like.best : "", like.best ? "? T" : "t", names);
+    const char *key;
+    json_t *value;
+    json_object_foreach((json_t *)keys, key, value) edit_see(&like, key);
+    return like.best ? xasprintf("did you mean %s? There are", like.best) : xstrdup("there are");
+}
+
+char *record_no_axis(const json_t *axes, const char *name)
+{
+    char *names = json_keys_text(axes, NULL), *meant = record_key_meant(axes, name),
+         *text = xasprintf("there is no axis %s; %s: %s", name, meant, names);
     free(names);
+    free(meant);
     return text;
 }
 
@@ -222,17 +227,13 @@ static bool add_figures(void *arg, const json_t *point, char **error)
 char *record_no_figure(const struct record_points *points, const char *name)
 {
     json_t *figures = json_object();
-    struct edit_nearest like = {.meant = name};
     char *error = NULL, *names = NULL;
-    const char *figure;
-    json_t *value;
     if (points->each(points->arg, add_figures, figures, &error))
         names = json_keys_text(figures, json_object_get(points->header, "axes"));
-    json_object_foreach(figures, figure, value) edit_see(&like, figure);
-    char *text =
-        xasprintf("no point has a figure %s; %s%s%shere are: %s", name, like.best ? "did you mean " : "",
-                  like.best ? like.best : "", like.best ? "? T" : "t", names ? names : "");
+    char *meant = record_key_meant(figures, name),
+         *text = xasprintf("no point has a figure %s; %s: %s", name, meant, names ? names : "");
     free(names);
+    free(meant);
     free(error);
     json_decref(figures);
     return text;

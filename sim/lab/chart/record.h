@@ -27,5 +27,7 @@ bool record_read(const char *path, struct record_points *points, char **error);
  * malloc'd. */
 char *record_no_axis(const json_t *axes, const char *name);
 char *record_no_figure(const struct record_points *points, const char *name);
+/* "did you mean nodes? There are" if one of the keys is like the name, "there are" if none is; malloc'd. */
+char *record_key_meant(const json_t *keys, const char *name);
 void record_free(struct record_points *points);
 #endif

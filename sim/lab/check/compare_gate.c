@@ -1,9 +1,9 @@
 /* compare_gate.c - see compare_gate.h. */
 #include "lab/check/compare_gate.h"
-#include "config/reader.h"
 #include "files/atomic_file.h"
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
+#include "lab/chart/record.h"
 #include "lab/check/baseline.h"
 #include "lab/check/baseline_point.h"
 #include "lab/check/compare_export.h"
@@ -263,30 +263,17 @@ static size_t failures(const struct gate *g, enum compare_verdict from)
     return count;
 }
 
-/* The figure whose name is most like this one; NULL: none is alike. */
-static const char *figure_meant(json_t *figures, const char *name)
-{
-    const char **names = xcalloc(json_object_size(figures) + 1, sizeof *names), *figure, *meant;
-    json_t *value;
-    size_t count = 0;
-    json_object_foreach(figures, figure, value) names[count++] = figure;
-    meant = cfg_meant(name, names);
-    free(names);
-    return meant;
-}
-
 /* A figure that no point has is a mistake. */
 static bool check_rules(const struct gate *g, char **error)
 {
     const char *unused = compare_rules_unused(&g->options->rules, g->figures);
     if (!unused)
         return true;
-    char *figures = json_keys_text(g->figures, NULL);
-    const char *meant = figure_meant(g->figures, unused);
-    *error = xasprintf("%s %s: no point has a figure of that name; %s%s%shere are %s",
-                       unused == g->options->rules.only ? "--only" : "--tolerance", unused,
-                       meant ? "did you mean " : "", meant ? meant : "", meant ? "? T" : "t", figures);
+    char *figures = json_keys_text(g->figures, NULL), *meant = record_key_meant(g->figures, unused);
+    *error = xasprintf("%s %s: no point has a figure of that name; %s %s",
+                       unused == g->options->rules.only ? "--only" : "--tolerance", unused, meant, figures);
     free(figures);
+    free(meant);
     return false;
 }
 
