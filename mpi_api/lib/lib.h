@@ -123,8 +123,8 @@ void topology_free(struct topology *t);
 
 /* Tells the communicator's error handler (NULL: that of MPI_COMM_WORLD); what the call returns. */
 int fail(struct comm *c, int call, int code, const char *fmt, ...) __attribute__((format(printf, 4, 5)));
-int fail_comm(int call); /* the communicator is none */
-int fail_answer(struct comm *c, int call);
+int fail_comm(int call);                   /* the communicator is none */
+int fail_answer(struct comm *c, int call); /* the pointer to where the answer goes is null */
 /* As fail, by the error handler of another object; handle: where its handle is. */
 int fail_by(MPI_Errhandler handler, void *handle, int call, int code, const char *fmt, va_list ap);
 /* An object's error handler is set; given to the program, which frees it; called by the program. */

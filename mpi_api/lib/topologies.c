@@ -161,10 +161,10 @@ CALL(Cart_create,
     if (!c || c->remote)
         return fail_comm(CALL_Cart_create);
     const struct coll o = coll_of(c, CALL_Cart_create);
+    *to = MPI_COMM_NULL;
     for (int d = 0; d < dims; d++)
         if (sides[d] < 1)
             return fail(o.c, CALL_Cart_create, MPI_ERR_DIMS, "side %d of the grid is %d", d, sides[d]);
-    *to = MPI_COMM_NULL;
     if (dims < 0 || ranks_of(dims, sides) > o.size)
         return fail(o.c, CALL_Cart_create, MPI_ERR_DIMS, "the grid has %d ranks, the communicator %d",
                     ranks_of(dims, sides), o.size);

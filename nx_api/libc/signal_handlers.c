@@ -35,10 +35,9 @@ int sigaction(int number, const struct sigaction *to, struct sigaction *before)
 /* Handlers run on the stack of the program that raises the signal, whatever it says here. */
 int sigaltstack(const stack_t *to, stack_t *before)
 {
-    enum { LEAST = 2048 };
     static stack_t stack = {.ss_flags = SS_DISABLE};
     stack_t was = stack;
-    if (to && !(to->ss_flags & SS_DISABLE) && to->ss_size < LEAST) {
+    if (to && !(to->ss_flags & SS_DISABLE) && to->ss_size < (size_t)MINSIGSTKSZ) {
         errno = ENOMEM;
         return -1;
     }

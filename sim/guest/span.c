@@ -25,7 +25,7 @@ enum {
     ASAN_HEAP = 3,       /* and a heap, of which freed blocks are not given out again at once */
 };
 
-/* Of a region: what a heap can have (heap.c). */
+/* The most bytes of a region: a heap can have so many (heap.c). */
 #define LONGEST ((size_t)64 << 30)
 
 /* A region's table has room for so many. */

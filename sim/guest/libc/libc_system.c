@@ -146,7 +146,7 @@ long node_sysconf(int name)
     case _SC_NPROCESSORS_CONF:
     case _SC_NPROCESSORS_ONLN:
         return 1;
-    case _SC_MINSIGSTKSZ: /* nx_api/libc/signal_handlers.c; the host's depend on its processor */
+    case _SC_MINSIGSTKSZ: /* the host's sizes depend on its processor */
         return 2048;
     case _SC_SIGSTKSZ:
         return 8192;

@@ -49,14 +49,19 @@ static void place_legend(struct layout *l, unsigned right, unsigned bottom)
     l->width += l->legend.width;
 }
 
+static unsigned heading_height(const struct layout_needs *needs)
+{
+    return HEADING + (needs->heading_lines - 1) * HEADING_LINE;
+}
+
 struct layout layout_of(const struct layout_needs *needs)
 {
     struct layout l = {.needs = *needs, .columns = columns_of(needs->panels)};
     unsigned rows = ((unsigned)needs->panels + l.columns - 1) / l.columns;
     unsigned title = needs->panel_titles ? TITLE : 0;
-    unsigned heading = HEADING + (needs->heading_lines - 1) * HEADING_LINE;
-    l.first = (struct box){LABEL + needs->y_labels, heading + (needs->notes ? NOTES : 0) + title,
-                           layout_panel_width(needs->panels), panel_height(needs->panels)};
+    l.first =
+        (struct box){LABEL + needs->y_labels, heading_height(needs) + (needs->notes ? NOTES : 0) + title,
+                     layout_panel_width(needs->panels), panel_height(needs->panels)};
     l.right = l.first.width + needs->y_labels + GAP;
     l.down = l.first.height + needs->x_labels + title + GAP;
     unsigned bottom = l.first.top + (rows - 1) * l.down + l.first.height;
@@ -69,7 +74,7 @@ struct layout layout_of(const struct layout_needs *needs)
 
 unsigned layout_notes_top(const struct layout *l)
 {
-    return HEADING - 4 + (l->needs.heading_lines - 1) * HEADING_LINE;
+    return heading_height(&l->needs) - 4;
 }
 
 struct box layout_panel(const struct layout *l, size_t panel)
