@@ -73,13 +73,13 @@ for activity in computing handler system call waiting; do
         "--$activity: #$(grep -oP "\[$key\] = 0x\K[0-9a-f]+" "$tests/../../sim/lab/draw/palette.c");" "$tests/../../sim/lab/page/web/page.css"
 done
 for tone in $(sed -n '/ORDER\[\]/,/;/p' "$tests/../../sim/lab/render/colours.c" | grep -oP '0x\K[0-9a-f]{6}'); do
-    check "surfaces are #$tone in pictures and on pages" grep -q "'#$tone'" "$tests/../../sim/lab/page/web/surface_section.js"
+    check "surfaces are #$tone in pictures and on pages" grep -q "'#$tone'" "$tests/../../sim/lab/page/web/surface_shading.js"
 done
 cp -r study twin
 for i in 3 2 1; do
     sed "/^end_header/,\$s/^\(-\?[01]\) \(-\?[01]\) \(-\?[01]\)\$/\1e$i \2e$i \3e$i/" "${name//\//}" >nested_$i.ply
 done
-"$BUILD/touchstone" render nested_?.ply -o nested.png >rendered
+"$BUILD/touchstone" render nested_?.ply --background f5f7f9 -o nested.png >rendered
 page two.html run.trace many.trace study twin nested_?.ply
 check "a page of two traces and two studies is written" ended_with 0
 page - run.json

@@ -45,6 +45,7 @@ WEB_FILE(three, "sim/lab/page/three/three.js");
     X(channels_section)                                                                                      \
     X(path_section)                                                                                          \
     X(flame_section)                                                                                         \
+    X(surface_shading)                                                                                       \
     X(surface_section)                                                                                       \
     X(page_start)
 

@@ -1,5 +1,5 @@
 export {
-    Box3, BufferAttribute, BufferGeometry, ColorManagement, DirectionalLight, DoubleSide, HemisphereLight, LinearSRGBColorSpace,
-    Mesh, MeshBasicMaterial, MeshPhongMaterial, PerspectiveCamera, Quaternion, Scene, Spherical, Vector3, WebGLRenderer
+    Box3, BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, PerspectiveCamera, Quaternion, SRGBColorSpace, Scene,
+    ShaderMaterial, Spherical, Vector3, WebGLRenderTarget, WebGLRenderer
 } from 'three';
 export {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';

@@ -12,29 +12,6 @@ function surfaceSummary(data) {
 const SLOW_PICTURE = 120;  /* ms */
 const COARSE_CELLS = 48;   /* along the longest side */
 const MOST_OPACITY = 0.35; /* of a surface that is seen through */
-/* Colours of surfaces and of nodes are those of touchstone render (lab/render/colours.c). */
-const SURFACE_TONES =
-    ['#56b4e9', '#e69f00', '#009e73', '#cc79a7', '#d55e00', '#f0e442', '#0072b2', '#999999'];
-
-/* Hues at steps of the golden angle; lightness takes turns. From Oklab to sRGB. */
-function nodeTone(node) {
-    if (node < 0)
-        return d3.rgb('#999999');
-    const lightness = [0.72, 0.58, 0.82, 0.65][node % 4], hue = 0.6 + node * 2.399963229728653;
-    const a = 0.125 * Math.cos(hue), b = 0.125 * Math.sin(hue);
-    const l = (lightness + 0.3963377774 * a + 0.2158037573 * b) ** 3;
-    const m = (lightness - 0.1055613458 * a - 0.0638541728 * b) ** 3;
-    const s = (lightness - 0.0894841775 * a - 1.291485548 * b) ** 3;
-    const linear = [
-        4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
-        -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
-        -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s
-    ];
-    return d3.rgb(...linear.map(v => {
-        const part = Math.min(1, Math.max(0.01, v));
-        return Math.round(255 * (part <= 0.0031308 ? 12.92 * part : 1.055 * part ** (1 / 2.4) - 0.055));
-    }));
-}
 
 function surfaceSection(surfaces) {
     const section = addSection('Surfaces', 'Surfaces',
@@ -83,7 +60,7 @@ function nodeLegend(surfaces) {
     const nodes = [...found].sort((a, b) => a - b);
     const keys = nodes.slice(0, most).map(node => {
         const box = element('span', {class: 'swatch'});
-        box.style.backgroundColor = nodeTone(node).toString();
+        box.style.backgroundColor = screenTone(nodeTone(node));
         return element('li', {class: 'key'}, box, `node ${node}`);
     });
     const rest =
@@ -95,7 +72,7 @@ function nodeLegend(surfaces) {
 function surfaceLegend(surfaces, view) {
     return element('ul', {class: 'legend'}, surfaces.map((s, i) => {
         const box = element('span', {class: 'swatch'});
-        box.style.backgroundColor = SURFACE_TONES[i % SURFACE_TONES.length];
+        box.style.backgroundColor = screenTone(surfaceTone(i));
         const b = button('', () => {
             const shown = view.toggle(i);
             b.setAttribute('aria-pressed', String(shown));
@@ -114,31 +91,12 @@ function viewerDirection(azimuth, elevation) {
     return new THREE.Vector3(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e));
 }
 
-/* Two rules of touchstone render (lab/render/shade.c). Both sides of a surface are lit alike, wherever its
- * normals point: three.js takes for the lit side the one from which the corners go round to the left, which
- * files need not keep to. The triangle tells which side is seen: at the outline of a coarse surface the
- * normal between its corners may point away, and is bent back. And a layer that is seen through holds back
- * more light at an angle, for the way through it is longer. */
-function shadeAsRender(shader) {
-    const normals = '#include <normal_fragment_begin>', end = '#include <opaque_fragment>';
-    shader.fragmentShader =
-        shader.fragmentShader
-            .replace(normals, `${normals}
-                vec3 plane = cross(dFdx(vViewPosition), dFdy(vViewPosition)), view = normalize(vViewPosition);
-                normal = dot(normal, plane) * dot(view, plane) < 0.0 ? -normal : normal;
-                float facing = max(dot(normal, view), 0.1);
-                normal = normalize(normal + (facing - dot(normal, view)) * view);`)
-            .replace(end, `diffuseColor.a = 1.0 - pow(1.0 - diffuseColor.a, 1.0 / facing);
-                ${end}`);
-}
-
 class SurfaceView {
     constructor(canvas, surfaces) {
         this.canvas = canvas;
         canvas.view = this; /* for whoever drives the page */
-        THREE.ColorManagement.enabled = false; /* light adds up in the colours of the screen */
-        this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: true});
-        this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
+        this.renderer = new THREE.WebGLRenderer({canvas, preserveDrawingBuffer: true});
+        this.picture = new LinearPicture(this.renderer);
         this.scene = new THREE.Scene();
         this.camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
         this.camera.up.set(0, 0, 1); /* as in touchstone render */
@@ -150,7 +108,6 @@ class SurfaceView {
         this.coarseGeometry = [];
         this.late = 0; /* how many pictures in a row came late */
         this.scene.add(...this.meshes);
-        this.addLights();
         this.controls = new THREE.OrbitControls(this.camera, canvas);
         this.controls.addEventListener('change', () => this.draw(true));
         canvas.addEventListener('keydown', e => this.key(e));
@@ -167,23 +124,7 @@ class SurfaceView {
             'normal', new THREE.BufferAttribute(split.normal || vertexNormals(split.place, split.corner), 3));
         if (split.colours)
             geometry.setAttribute('color', new THREE.BufferAttribute(split.colours, 3, true));
-        const material = new THREE.MeshPhongMaterial({
-            color: SURFACE_TONES[i % SURFACE_TONES.length],
-            side: THREE.DoubleSide,
-            shininess: 18,
-            specular: 0x161616
-        });
-        material.onBeforeCompile = shadeAsRender;
-        return new THREE.Mesh(geometry, material);
-    }
-    /* By a matt surface that faces it, a light of intensity 1 is seen as 1 / PI. */
-    addLights() {
-        const sky = new THREE.HemisphereLight(0xffffff, 0x667080, 0.55 * Math.PI);
-        sky.position.copy(this.camera.up);
-        this.scene.add(sky, this.camera);
-        const lamp = new THREE.DirectionalLight(0xffffff, 0.65 * Math.PI);
-        lamp.position.set(-0.6, 0.9, 1);
-        this.camera.add(lamp);
+        return new THREE.Mesh(geometry, surfaceMaterial(surfaceTone(i)));
     }
     resize(width) {
         this.width = width;
@@ -221,7 +162,7 @@ class SurfaceView {
         });
         this.setPixels(this.coarse ? 0.5 : 1);
         this.renderer.setClearColor(colour('panel'));
-        this.renderer.render(this.scene, this.camera);
+        this.picture.render(this.scene, this.camera);
     }
     /* How many pixels are drawn: a share of those that the screen has. */
     setPixels(share) {
@@ -320,8 +261,9 @@ class SurfaceView {
         return this.meshes[i].visible;
     }
     seeThrough(i, on) {
-        Object.assign(this.meshes[i].material,
-            {transparent: on, opacity: on ? this.clear : 1, depthWrite: !on, needsUpdate: true});
+        const material = this.meshes[i].material;
+        Object.assign(material, {transparent: on, depthWrite: !on, needsUpdate: true});
+        material.uniforms.opacity.value = on ? this.clear : 1;
         this.draw();
     }
     /* Surfaces around others are seen through; the more of them, the more so (lab/render/render_output.c).
@@ -338,10 +280,8 @@ class SurfaceView {
         });
     }
     colourBy(what) {
-        this.meshes.forEach((m, i) => {
-            const byNode = what === 'node' && Boolean(m.geometry.attributes.color);
-            m.material.vertexColors = byNode;
-            m.material.color.set(byNode ? 0xffffff : SURFACE_TONES[i % SURFACE_TONES.length]);
+        this.meshes.forEach(m => {
+            m.material.vertexColors = what === 'node' && Boolean(m.geometry.attributes.color);
             m.material.needsUpdate = true;
         });
         this.draw();
@@ -437,7 +377,7 @@ function withExtra(place, normals, owner, corners, from) {
                 result.normal[i * 3 + k] = normals[source * 3 + k];
             }
         if (!tones.has(node)) {
-            const tone = d3.rgb(nodeTone(node));
+            const tone = d3.rgb(screenTone(nodeTone(node)));
             tones.set(node, [tone.r, tone.g, tone.b]);
         }
         result.colours.set(tones.get(node), i * 3);
