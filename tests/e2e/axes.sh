@@ -58,7 +58,7 @@ wrong 's/to = 16/to = 4096/' 'wrong.cfg:4: nodes: delta has no rectangle of 1024
 wrong 's/nodes < 16/nodse < 16/' 'wrong.cfg:8: only: there is no axis nodse; there are: nodes, clock, steps'
 wrong 's/32 \/ nodes/32 \/ (nodes - 1)/' 'wrong.cfg:6: steps: "32 / (nodes - 1)" is inf at nodes 1, clock 40, steps ?: a number is needed'
 wrong 's/^cost/baseline = ( "clock=50" ); cost/' 'wrong.cfg:2: baseline: "clock=50": axis clock has no value 50'
-wrong 's/^cost/baseline = ( "clokc" ); cost/' 'wrong.cfg:2: baseline: "clokc": there is no axis clokc'
+wrong 's/^cost/baseline = ( "clokc" ); cost/' 'wrong.cfg:2: baseline: "clokc": there is no axis clokc; there are: nodes, clock'
 wrong 's/^cost/baseline = ( "steps" ); cost/' 'wrong.cfg:2: baseline: "steps": steps follows from other axes: name one of them'
 wrong 's/^cost/inputs = ( "none.dat" ); cost/' 'inputs: '
 cp "${BUILD%/*}/machines/delta.cfg" own.cfg 2>/dev/null

@@ -114,6 +114,8 @@ static char *list_of_names(const struct reader *r)
 
 static short no_such_name(struct reader *r, const char *word)
 {
+    if (!r->name_count)
+        return fail(r, xasprintf("there is no axis %s before this one", word));
     char *list = list_of_names(r);
     short failed = fail(r, xasprintf("there is no axis %s; there are: %s", word, list));
     free(list);

@@ -27,6 +27,17 @@ const struct spec_axis *spec_axis(const struct spec *s, const char *name)
     return NULL;
 }
 
+char *spec_no_axis(const struct spec *s, const char *name)
+{
+    char *text = xasprintf("there is no axis %s; there are: ", name);
+    for (size_t i = 0; i < s->axis_count; i++) {
+        char *more = xasprintf("%s%s%s", text, i ? ", " : "", s->axes[i].name);
+        free(text);
+        text = more;
+    }
+    return text;
+}
+
 size_t spec_axis_index(const struct spec *s, const struct spec_axis *axis)
 {
     return (size_t)(axis - s->axes);

@@ -76,6 +76,9 @@ struct spec {
 
 /* The axis of that name, or NULL. */
 const struct spec_axis *spec_axis(const struct spec *s, const char *name);
+
+/* "there is no axis nods; there are: nodes, group", malloc'd. */
+char *spec_no_axis(const struct spec *s, const char *name);
 /* The axis's index in s->axes. */
 size_t spec_axis_index(const struct spec *s, const struct spec_axis *axis);
 

@@ -2,6 +2,7 @@
 #include "lab/study/spec_pictures.h"
 #include "kernel/xalloc.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* Reads the axis that the key names; "" if the key is missing. */
@@ -10,8 +11,12 @@ static bool read_axis_of(struct cfg_reader *r, config_setting_t *g, const char *
 {
     if (!spec_optional(r, g, key, name))
         return false;
-    return !**name || spec_axis(s, *name) ||
-           cfg_fail(r, config_setting_get_member(g, key), key, "there is no axis %s", *name);
+    if (!**name || spec_axis(s, *name))
+        return true;
+    char *none = spec_no_axis(s, *name);
+    cfg_fail(r, config_setting_get_member(g, key), key, "%s", none);
+    free(none);
+    return false;
 }
 
 /* A picture must use each axis of several values exactly once; otherwise it would show an arbitrary part of

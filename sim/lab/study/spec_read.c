@@ -59,13 +59,15 @@ static bool check_baseline(struct cfg_reader *r, config_setting_t *at, const str
     const char *sign = strchr(text, '=');
     char *name = sign ? xasprintf("%.*s", (int)(sign - text), text) : xstrdup(text);
     const struct spec_axis *axis = spec_axis(s, name);
+    char *none = axis ? NULL : spec_no_axis(s, name);
     bool ok = true;
     if (!axis)
-        ok = cfg_fail(r, at, "baseline", "\"%s\": there is no axis %s", text, name);
+        ok = cfg_fail(r, at, "baseline", "\"%s\": %s", text, none);
     else if (axis->kind == SPEC_DERIVED)
         ok = cfg_fail(r, at, "baseline", "\"%s\": %s follows from other axes: name one of them", text, name);
     else if (sign && !has_value(axis, sign + 1))
         ok = cfg_fail(r, at, "baseline", "\"%s\": axis %s has no value %s", text, name, sign + 1);
+    free(none);
     free(name);
     return ok;
 }
