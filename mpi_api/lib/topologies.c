@@ -115,7 +115,7 @@ CALL(Dims_create, (int nodes, int dims, int sides[]))
             given *= sides[d];
         open += !sides[d];
     }
-    if (nodes % given || (!open && given != nodes))
+    if (nodes % given)
         return fail(NULL, CALL_Dims_create, MPI_ERR_DIMS,
                     "%d nodes are no multiple of the %d that the given sides make", nodes, given);
     find_sides(nodes / given, open, nodes, found);

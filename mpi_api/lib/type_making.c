@@ -36,11 +36,11 @@ void type_add(struct type *t, int *room, const struct type *old, int count, MPI_
             add_run(t, room, (struct run){here + old->run[k].at, old->run[k].bytes, old->run[k].unit});
         t->size += old->size;
     }
-    if (count <= 0)
+    const bool marks = !old->size; /* has places of markers at most, and no data */
+    if (count <= 0 || (marks && !old->has_lb && !old->has_ub))
         return;
     MPI_Aint first = at, last = at + (count - 1) * extent;
     MPI_Aint low = extent < 0 ? last : first, high = extent < 0 ? first : last;
-    bool marks = !old->size && (old->has_lb || old->has_ub);
     t->align = old->align > t->align ? old->align : t->align;
     if (marks ? old->has_lb : old->has_lb || !t->has_lb) {
         MPI_Aint lb = low + old->lb;

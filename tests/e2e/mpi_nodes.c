@@ -105,6 +105,22 @@ static int parts_of(MPI_Datatype type)
     }
 }
 
+/* A part of no data and no marks adds nothing to a type's extents, wherever it is. */
+static void empty_parts(void)
+{
+    const int counts[] = {1, 3};
+    const MPI_Aint places[] = {0, 400};
+    MPI_Aint lb, extent, true_lb, true_extent;
+    MPI_Datatype types[] = {MPI_INT, MPI_DATATYPE_NULL}, whole;
+    MPI_Type_contiguous(0, MPI_DOUBLE, &types[1]);
+    MPI_Type_create_struct(2, counts, places, types, &whole);
+    MPI_Type_get_extent(whole, &lb, &extent);
+    MPI_Type_get_true_extent(whole, &true_lb, &true_extent);
+    all("parts without data add nothing", lb == 0 && extent == 4 && true_lb == 0 && true_extent == 4);
+    MPI_Type_free(&whole);
+    MPI_Type_free(&types[1]);
+}
+
 static void types_and_operations(void)
 {
     int matrix[5][4], column[5], expected = 0, sum, holds = 1;
@@ -131,6 +147,13 @@ static void types_and_operations(void)
 }
 
 /* Collectives of all lengths against sums by hand. */
+/* MPI_Dims_create has nothing to do if all sides are given, also of fewer nodes. */
+static void sides_given(void)
+{
+    int sides[] = {1, 1};
+    all("sides that are all given stay", !MPI_Dims_create(size, 2, sides) && sides[0] == 1 && sides[1] == 1);
+}
+
 static void collectives(void)
 {
     int holds = 1;
@@ -200,6 +223,8 @@ int main(int argc, char **argv)
     synchronous();
     progress();
     types_and_operations();
+    empty_parts();
+    sides_given();
     collectives();
     communicators();
     errors();
