@@ -85,6 +85,11 @@ check "200 nodes on a mesh: all are drawn, and the SVGs are small" all_drawn man
 "$BUILD/nxcc" -O2 -o lists "$tests/../nx/many_types.c" && run -q -m ipsc860 -n 1 --trace one.trace lists
 show all --frames 2 -o one one.trace
 check "a node alone" all_drawn one png
+# The swatches of "ended". A node alone has ended when the run has: it is in the picture of ring alone as often.
+ended() { grep -c 'fill:rgb(100%,100%,100%);.*stroke:rgb(38%,38%,38%)' "$1"; }
+show --svg -o ring.svg ring.trace
+show --svg --than one.trace -o both.svg ring.trace
+check "two runs: the shares are those of each run's own time" test "$(ended both.svg)" = "$(ended ring.svg)"
 
 is_error() { # STATUS TEXT
     [ "$status" = "$1" ] && grep -qE -- "$2" err && [ ! -s out ]

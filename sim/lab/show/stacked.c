@@ -106,14 +106,15 @@ static char *entry_text(enum activity a, double share)
                   : xasprintf("%s %.1f %%", activity_name(a), 100 * share);
 }
 
-void stacked_legend(const struct canvas *c, double x, double y, const struct state_times *s, double nodes,
-                    enum activity activities)
+void stacked_legend(const struct canvas *c, double x, double y, const struct state_times *s, vtime end,
+                    double nodes, enum activity activities)
 {
     const struct text_style style = {10, GREY, ANCHOR_LEFT, false};
     const char *of = "Of all nodes' time: ";
     struct legend_entry list[ACTIVITIES + 1];
     size_t count = 0;
-    double all = nodes * (double)(s->bins.to - s->bins.from), sums[ACTIVITIES + 1] = {[ACTIVITIES] = all};
+    double all = nodes * (double)(vt_min(s->bins.to, end) - s->bins.from);
+    double sums[ACTIVITIES + 1] = {[ACTIVITIES] = all};
     for (size_t i = 0; i < (size_t)s->rows * s->bins.count * ACTIVITIES; i++)
         sums[i % ACTIVITIES] += s->sums[i], sums[ACTIVITIES] -= s->sums[i];
     for (enum activity a = 0; a <= ACTIVITIES; a++) {
