@@ -51,6 +51,12 @@ mv elsewhere ring
 touch -r t.trace ring
 why t.trace
 check "ring: where nodes waited" prints 'in crecv at ring.c:15 \(main\), for types 1 to 12 of several nodes, from csend at ring.c:17 \(main\)'
+"$BUILD/nxcc" -O2 -g -o farm "$tests/../../share/examples/exercises/farm.c"
+"$BUILD/touchstone" run -q -m delta -n 64 --trace farm.trace farm 500 >/dev/null 2>&1
+why farm.trace
+check "a farm: a sentence about the path has the table's share" \
+    eval "prints \"largest cause is the system's work for calls: 41.4 % of the path\" && prints \"system: the program's calls +26.862 +41.39 \""
+check "a farm: the sender was in a call" prints 'because the sender was in a call'
 cat >five.c <<'END'
 #include <nx.h>
 #include <stdio.h>

@@ -254,8 +254,9 @@ static void cause(struct why *w, FILE *f)
             node_words(w, node), why_time(u, served).text, why_percent(served, w->length).text,
             p.of[WHY_HANDLERS] >= p.of[WHY_OTHER_MESSAGES] ? "handlers" : "interrupts of its system");
     } else {
+        vtime whole = part_of(w, TRACE_NONE).of[most];
         fprintf(f, "Besides computing, the largest cause is %s: %s of the path.",
-                why_class_subject((enum why_class)most), why_percent(p.of[most], w->length).text);
+                why_class_subject((enum why_class)most), why_percent(whole, w->length).text);
     }
 }
 
@@ -292,6 +293,8 @@ static const char *cause_words(enum wait_cause cause, enum trace_state doing)
     };
     if (cause == WAIT_LATE_SENDER && doing == TRACE_COMPUTING)
         return "the sender still computed";
+    if (cause == WAIT_LATE_SENDER && doing == TRACE_IN_CALL)
+        return "the sender was in a call";
     if (cause == WAIT_LATE_SENDER && doing == TRACE_WAITING)
         return "the sender waited, too (the critical path shows for what)";
     return WORDS[cause];
