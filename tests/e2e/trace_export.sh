@@ -36,6 +36,7 @@ same_as_run "ring on a mesh" -m delta -n 6 ring
 same_as_run "the model program" -m ipsc860 -n 16 "$BUILD/app/model" -sphere 48 48 9 -group 4
 check "the model program: there are handlers" grep -q '"name":"handler"' t.json
 check "and messages" test "$(wc -l <messages.json)" -gt 100
+check "what msgwait is given is an id, no type" eval "grep -q '\"name\":\"msgwait\".*\"id\":1,' t.json && ! grep -q '\"name\":\"msgwait\".*\"type\":' t.json"
 
 # A part.
 run -m ipsc860 -n 8 --trace ring.trace ring

@@ -188,6 +188,10 @@ def check_timeline(b):
          (len(found), found[:1]))
     search.send_keys(Keys.ENTER)
     rule("timeline: and goes to one", interval() != whole and "crecv" in s.find_element(By.CSS_SELECTOR, ".readout").text)
+    search.clear()
+    search.send_keys("msgwait")
+    found = [e.text for e in s.find_elements(By.CSS_SELECTOR, ".results button")]
+    rule("timeline: what msgwait is given is an id, no type", len(found) == 8 and all("msgwait, id 1, at" in f for f in found), found[:2])
     canvas.send_keys("0")
     check_first_row(b, canvas)
     check_under_mouse(b, s, canvas)

@@ -19,6 +19,9 @@ int main(int argc, char **argv)
         relax(50 + (int)(me * 7 + k) % 40);
         crecv(5, &token, sizeof token);
     }
+    long id = irecv(6, &token, sizeof token);
+    csend(6, &me, sizeof me, (me + 1) % nodes, 0);
+    msgwait(id);
     gsync();
     if (me == 0)
         printf("rounds %ld\n", rounds);

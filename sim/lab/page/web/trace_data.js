@@ -159,12 +159,20 @@ class Trace {
     nodeName(index) { return index >= 0 ? this.nodes[index].name : 'a service'; }
     text(number) { return number >= 0 ? this.texts[number] : ''; }
     callName(call) { return this.text(this.columns['call.called'][call]); }
+    /* What the call was given: "type" or "id" (msgwait, iowait and their kin), or nothing. */
+    givenWord(call) {
+        const c = this.columns;
+        return !(c['call.flags'][call] & 1)                        ? ''
+            : /^_?(msg|io)/.test(this.names[c['call.name'][call]]) ? 'id'
+                                                                   : 'type';
+    }
     /* "crecv, type 5, at relax, relax.c:12" */
     callText(call) {
-        const c = this.columns, name = this.names[c['call.name'][call]], called = this.callName(call);
+        const c = this.columns, name = this.names[c['call.name'][call]], called = this.callName(call),
+              given = this.givenWord(call);
         return [
             name === called ? name : `${called} (${name})`,
-            c['call.flags'][call] & 1 ? `type ${c['call.type'][call]}` : '',
+            given && `${given} ${c['call.type'][call]}`,
             c['call.place'][call] >= 0 ? `at ${this.text(c['call.place'][call])}` : '',
             c['call.flags'][call] & 4 ? 'made by a handler' : '',
             c['call.flags'][call] & 2 ? 'not finished' : ''
@@ -251,7 +259,7 @@ class Trace {
         const names = fits(this.names), others = fits(this.texts);
         let count = 0;
         for (let i = 0; i < c['call.node'].length; i++) {
-            if ((numbers.type !== null && !(c['call.flags'][i] & 1 && c['call.type'][i] === numbers.type)) ||
+            if ((numbers.type !== null && !(this.givenWord(i) === 'type' && c['call.type'][i] === numbers.type)) ||
                 (numbers.node !== null && this.nodes[c['call.node'][i]].name !== `node ${numbers.node}`))
                 continue;
             const name = names[c['call.name'][i]], called = others[c['call.called'][i]],
