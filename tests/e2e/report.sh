@@ -12,7 +12,8 @@ END
 cat >home/bench/paper/paper.cfg <<END
 machine = "delta"; program = "app/model";
 fitted_rows = ( "1:1" ); tie_rows = ( "1:2" ); remarks = ( ( "1:8", "It is like that." ) );
-messages = ( ( 6, 6, "chunks" ), ( 7, 7, "orders" ), ( 9, 9, "wakes" ) );
+messages = ( ( 6, 6, "chunks" ), ( 7, 7, "orders" ), ( 9, 9, "wakes" ),
+    ( 1000000000, 1073741823, "global operations" ) );
 tables = ( { table = 1; title = "small"; group = 4; arguments = "-approx 111 -sphere 64 64 9"; rows = (
     ( 1, "1.9", 0.0, "-", "-", 1.0 ), ( 2, "1.1", 0.5, "-", "-", 0.9 ), ( 8, "0.25", 0.5, "-", "-", 0.9 ) ); } );
 END
@@ -28,6 +29,8 @@ check "--explain: both accounts add up to nodes x total" \
          /nodes x total/ { n++; if (($4 - 2 * total)^2 > 1e-4 || ($6 - 6 * total)^2 > 1e-4) bad = 1 }
          END { exit bad || n != 2 }' out
 check "--explain: what is waited for is named" grep -qE '^  idle: msgwait, chunks ' out
+check "--explain: lines with long names keep to the columns" \
+    eval "grep -q '^  idle: msgwait, global operations ' out && [ \$(grep -E '^  (idle|system|computing): ' out | awk '{ print length }' | sort -u | wc -l) = 1 ]"
 check "--explain: a line for each layer" test "$(grep -cE '^ +[0-9]+ +[04]( +[0-9.]+){7}$' out)" = 8
 check "--explain: how much measuring takes" grep -qE 'measuring it \(-times\) makes it [-+][0-9.]+ %' out
 tables --explain 1:1

@@ -17,7 +17,7 @@ static struct explain_line around_line(const struct explain *e)
 
 static void print_line(FILE *out, const struct explain *e, const struct explain_line *l)
 {
-    fprintf(out, "  %-30s", l->label);
+    fprintf(out, "  %-33s", l->label);
     for (int c = 0; c < EXPLAIN_CLASSES; c++)
         if (e->nodes[c])
             fprintf(out, "%14.3f%8.2f", l->s[c], percent(e, l, c));
@@ -64,11 +64,11 @@ void explain_print(const struct explain *e, FILE *out)
             "Table %u, %u node%s: %.3f s (the paper's: %g s); measuring it (-times) makes it %+.2f %%\n\n",
             e->table, e->row->nodes, e->row->nodes == 1 ? "" : "s", e->plain_s, e->row->paper.total_s,
             100 * (e->total_s / e->plain_s - 1));
-    fprintf(out, "%32s", "");
+    fprintf(out, "%35s", "");
     for (int c = 0; c < EXPLAIN_CLASSES; c++)
         if (e->nodes[c])
             fprintf(out, "%8u %-6s%7s", e->nodes[c], NAMES[c][e->nodes[c] > 1], "");
-    fprintf(out, "\n%32s", "");
+    fprintf(out, "\n%35s", "");
     for (int c = 0; c < EXPLAIN_CLASSES; c++)
         if (e->nodes[c])
             fprintf(out, "%14s%8s", "s", "%");
