@@ -40,6 +40,7 @@ def main(b, nodes):
     before = b.until(markers)
     rule("the study is shown", "Groups" in b.run("return document.querySelector('main').textContent"))
     rule("the page is called by it", b.until("return document.querySelector('h1').textContent === 'Groups' && document.title.startsWith('Groups')"))
+    rule("with what its speed-ups compare with", b.until("return document.querySelector('main').textContent.includes('Baseline of speed-ups: nodes ')"))
     rule("with its progress", "points" in b.run("return document.querySelector('.live [role=status]').textContent"))
     choice = "[...document.querySelectorAll('main .controls select')].find(s => s.parentElement.textContent.startsWith('Figure'))"
     b.run(f"const s = {choice}; s.value = 'total_s'; s.dispatchEvent(new Event('change'))")

@@ -123,6 +123,8 @@ json_t *merged_points(const json_t *header, const json_t *own, const json_t *add
         const char *text = json_string_value(json_object_get(header, TEXTS[i]));
         json_set(data, TEXTS[i], json_string(text ? text : ""));
     }
+    if (json_object_get(header, "baseline"))
+        json_set(data, "baseline", json_copy(json_object_get(header, "baseline")));
     axes = axes ? json_deep_copy(axes) : json_object();
     json_t *points = own_points(axes, own), *compared = json_copy(points);
     json_object_foreach((json_t *)added, key, point)
