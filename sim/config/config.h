@@ -26,7 +26,7 @@ enum cfg_topology { CFG_HYPERCUBE, CFG_MESH };
 /* cfs = { ... }: the Concurrent File System. io_nodes 0: the machine has none. */
 struct cfg_cfs {
     uint64_t io_nodes;
-    uint64_t disks;         /* disk d hangs on I/O node d % io_nodes */
+    uint64_t disks;         /* disk d is at I/O node d % io_nodes */
     uint64_t block_bytes;   /* a file's block b is on its disk b % disks */
     uint64_t window_blocks; /* at most so many blocks per disk of one call are under way */
 

@@ -37,7 +37,7 @@ bool cfg_read_host(struct cfg_reader *r, struct cfg_machine *m)
         !cfg_time(r, g, "link", "_per_byte", &h->link_ps_per_byte))
         return false;
     if (m->topology != CFG_HYPERCUBE)
-        return cfg_fail(r, g, NULL, "a host hangs on node 0 of a hypercube; this machine is a mesh");
+        return cfg_fail(r, g, NULL, "a host is attached to node 0 of a hypercube; this machine is a mesh");
     if (h->link_ps_per_byte < m->short_ps_per_byte || h->link_ps_per_byte < m->long_ps_per_byte)
         return cfg_fail(r, g, "link_us_per_byte", "the link is faster than the channels between nodes");
     return true;

@@ -268,7 +268,7 @@ static void bad_files_are_named_by_line_and_key(void **state)
         {1, "name = \"toy\"; description = \"for tests\"; cfs = { io_nodes = 2; discs = 1; };",
          "toy.cfg:1: discs: unknown key; did you mean disks? Known here: io_nodes, disks"},
         {1, "name = \"toy\"; description = \"for tests\"; host = { " HOST " link_us_per_byte = 1; };",
-         "toy.cfg:1: a host hangs on node 0 of a hypercube; this machine is a mesh"},
+         "toy.cfg:1: a host is attached to node 0 of a hypercube; this machine is a mesh"},
         {1, "name = \"toy\"; description = \"for tests\"; host = { " HOST " };",
          "toy.cfg:1: link_us_per_byte: missing"},
         {1, "name = \"toy\"; description = \"for tests\"; host = { clock_mz = 1; };",

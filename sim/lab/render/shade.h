@@ -20,6 +20,7 @@ struct shade_point shade_point(const struct projection *p, uint32_t triangle, in
  * ground, of which `open` (0 to 1) arrives. */
 void shade_light(const struct shade_point *at, float open, float light[3]);
 
-/* How much of the light behind is held back: a thin layer seen aslant is longer, and holds back more. */
+/* How much of the light behind is held back: seen at an angle, the way through a thin layer is longer, and
+ * holds back more. */
 float shade_opacity(const struct shade_point *at, float opacity);
 #endif
