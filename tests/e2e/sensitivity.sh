@@ -69,3 +69,25 @@ ask --timing 7 sensitivity
 check "not with --timing" ended_with 64
 ask --set net.short_hop_us=-1 sensitivity
 check "a wrong setting" ended_with 65
+
+# A signal from the terminal, which the run itself gets, too.
+cat >endless.c <<'END'
+#include <stdio.h>
+int main(void)
+{
+    for (volatile double x = 0;; x++)
+        if (x == 1e6)
+            fclose(fopen("begun", "w"));
+}
+END
+"$BUILD/nxcc" -O2 -o endless endless.c 2>compile.err
+mkdir tmp
+TMPDIR=$work/tmp setsid env --default-signal=INT "$BUILD/touchstone" run --sensitivity --json run.json endless >out 2>err </dev/null &
+awaited test -e begun
+kill -INT -$!
+wait $!
+status=$?
+check "Ctrl-C: ends by it" ended_with 130
+check "Ctrl-C: the run says where its node is, and no more" eval 'said "^  node 0: computing" && ! said "needs a run that ends well"'
+check "Ctrl-C: its figures are written" grep -q '"outcome": "failed"' run.json
+check "Ctrl-C: no folder is left in TMPDIR" test -z "$(ls tmp)"

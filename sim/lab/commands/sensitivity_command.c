@@ -30,6 +30,7 @@ struct work {
     struct rerun_place place;
     char *folder, *json, *input; /* json: of the run itself */
     char **argv;                 /* the command of the run itself */
+    int killed_by;               /* the signal that ended the run itself; 0: none */
 };
 
 static int failed(char *error, int status)
@@ -68,8 +69,8 @@ static void become_run(const struct work *w)
 }
 
 /* Returns the exit status. A signal from the terminal is for the run to answer; if it ends the run, it ends
- * this process, too. */
-static int run_itself(const struct work *w)
+ * this process, too, when all is tidied up (cli_sensitivity). */
+static int run_itself(struct work *w)
 {
     int how = 0;
     pid_t pid = fork();
@@ -81,8 +82,7 @@ static int run_itself(const struct work *w)
     while (waitpid(pid, &how, 0) < 0 && errno == EINTR)
         ;
     signal(SIGINT, interrupt);
-    if (WIFSIGNALED(how))
-        raise(WTERMSIG(how));
+    w->killed_by = WIFSIGNALED(how) ? WTERMSIG(how) : 0;
     return WIFEXITED(how) ? WEXITSTATUS(how) : 128 + WTERMSIG(how);
 }
 
@@ -119,12 +119,15 @@ static int run_all(struct work *w)
         return failed(error, CLI_EXIT_INPUT);
     int status = run_itself(w);
     w->place.apart = &begun;
-    if (status && status != EXIT_FINDINGS)
-        cli_say_warning("run", "--sensitivity needs a run that ends well");
-    else if (!rerun_time(w->json, &end, &error) || !sensitivity_run(w->sensitivity, &w->place, end, &error))
+    if (status && status != EXIT_FINDINGS) {
+        if (!w->killed_by)
+            cli_say_warning("run", "--sensitivity needs a run that ends well");
+    } else if (!rerun_time(w->json, &end, &error) ||
+               !sensitivity_run(w->sensitivity, &w->place, end, &error)) {
         status = failed(error, CLI_EXIT_INPUT);
-    else
+    } else {
         sensitivity_print(w->sensitivity, name_of(w), w->again.cfg->name, stderr);
+    }
     int written = write_figures(w);
     return written ? written : status;
 }
@@ -213,5 +216,7 @@ int cli_sensitivity(int argc, char **argv)
     free(w.json);
     free(w.input);
     free(w.argv);
+    if (w.killed_by)
+        raise(w.killed_by);
     return status;
 }
