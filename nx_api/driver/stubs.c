@@ -193,7 +193,8 @@ static void write_stubs(const struct names *n, const char *values, const char *p
 
 static void print_stubs(const struct names *n, const char *values, const char *who)
 {
-    fprintf(stderr, "nxcc: --stubs: %s do not have these; they fail with ENOSYS when they are called: ", who);
+    fprintf(stderr, "%s: --stubs: %s do not have these; they fail with ENOSYS when they are called: ",
+            program_invocation_short_name, who);
     for (size_t i = 0; i < n->count; i++) {
         char *value = value_of(values, n->name[i]);
         fprintf(stderr, "%s%s", i ? ", " : "", n->name[i]);
@@ -281,9 +282,10 @@ int stubs_link(const char **gcc, const struct arguments *user, const char *progr
     }
     fputs(said, stderr);
     if (status && !user->mpi && !user->cplusplus && misses_cplusplus(said)) {
-        fputs("nxcc: some of this is C++, whose library -lstdc++ links, as mpicxx does\n", stderr);
+        fprintf(stderr, "%s: some of this is C++, whose library -lstdc++ links, as mpicxx does\n",
+                program_invocation_short_name);
     } else if (n.count) {
-        fprintf(stderr, "nxcc: %s do not have ", who);
+        fprintf(stderr, "%s: %s do not have ", program_invocation_short_name, who);
         print_names(&n);
         fprintf(stderr,
                 ": %s. If the program can do without %s, --stubs "
