@@ -42,4 +42,9 @@ for pair in $(grep -l CORRECT "$seeds"/*.[cF]); do
     check "$name: prints the same with -DCORRECT" eval "[ -s out ] && diff fault.out out"
     pairs=$((pairs + 1))
 done
+for level in -O0 -O2; do
+    run_seed "$seeds/f77_counter.F" $level
+    check "f77_counter.F $level: a handler's load from a COMMON block has its own line, not that of the END above" \
+        said '^race on ndone: handler reads and writes at f77_counter\.F:35, main program [a-z ]*writes at f77_counter\.F:19$'
+done
 check "at least thirty pairs" test "$pairs" -ge 30

@@ -84,13 +84,19 @@ opt_pass *race_written_make_pass()
     return new written_pass(g);
 }
 
-/* GNU Fortran gives some loads the line where the function begins, where no statement is. */
+/* GNU Fortran gives loads from a COMMON block the line where the function begins, or where the one above it
+ * ends. No statement of the function is there. */
+static bool is_above(location_t at, tree function)
+{
+    expanded_location a = expand_location(at), begin = expand_location(DECL_SOURCE_LOCATION(function));
+    return a.line <= begin.line && a.file && begin.file && !strcmp(a.file, begin.file);
+}
+
 bool race_has_location(gimple *stmt)
 {
     location_t at = LOCATION_LOCUS(gimple_location(stmt));
     return at > BUILTINS_LOCATION &&
-           !(lang_GNU_Fortran() &&
-             LOCATION_LINE(at) == (int)DECL_SOURCE_LINE(DECL_ORIGIN(costs_written_in(stmt))));
+           !(lang_GNU_Fortran() && is_above(at, DECL_ORIGIN(costs_written_in(stmt))));
 }
 
 location_t race_location(gimple *stmt)
