@@ -1,6 +1,7 @@
-/* errors.c - errors at run time and STOP, instead of GNU Fortran's error.c, stop.c and backtrace.c: an
- * error that the program does not ask for (IOSTAT=, ERR= ...) ends it with a message that has node, time,
- * file and line; and what it wrote to its units before is written. */
+/* errors.c - errors at run time, STOP, EXIT and ABORT, instead of GNU Fortran's error.c, stop.c, exit.c,
+ * abort.c and backtrace.c: an error that the program does not ask for (IOSTAT=, ERR= ...) ends it with a
+ * message that has node, time, file and line; and what it wrote to its units before is written. (Without
+ * frame pointers, which the library's own functions lack, a report misses the line that called them.) */
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -48,6 +49,7 @@ _Noreturn void _gfortrani_sys_abort(void)
 {
     die(FRAME, "abort");
 }
+void _gfortran_abort(void) ALIAS(_gfortrani_sys_abort); /* CALL ABORT */
 
 /* --- what the library writes --- */
 
@@ -259,7 +261,7 @@ void _gfortrani_runtime_warning_at(const char *where, const char *format, ...)
 }
 void _gfortran_runtime_warning_at(const char *, const char *, ...) ALIAS(_gfortrani_runtime_warning_at);
 
-/* --- STOP --- */
+/* --- STOP and EXIT --- */
 
 /* STOP prints nothing but what follows it, and the number is the node's exit status. */
 _Noreturn void _gfortran_stop_numeric(int status, bool quiet)
@@ -274,6 +276,17 @@ _Noreturn void _gfortran_stop_string(const char *text, size_t bytes, bool quiet)
     if (text && !quiet)
         _gfortrani_st_printf("STOP %.*s\n", (int)bytes, text);
     exit(0);
+}
+
+/* CALL EXIT */
+_Noreturn void _gfortran_exit_i4(const int32_t *status)
+{
+    exit(status ? *status : 0);
+}
+
+_Noreturn void _gfortran_exit_i8(const int64_t *status)
+{
+    exit(status ? (int)*status : 0);
 }
 
 _Noreturn void _gfortran_error_stop_numeric(int status, bool quiet)

@@ -149,7 +149,7 @@ $(NODE)/libxdr.a:
 LIBGFORTRAN := $(patsubst nx_api/%.c,$(NODE)/obj/%.o,$(wildcard nx_api/libgfortran/*.c))
 $(NODE)/libgfortran.a: $(LIBGFORTRAN)
 	cp "$$($(NODE_FC) -print-file-name=libgfortran.a)" $@.new
-	ar d $@.new error.o stop.o backtrace.o async.o
+	ar d $@.new error.o stop.o exit.o abort.o backtrace.o async.o
 	objcopy --redefine-sym signal=nx_no_signal --redefine-sym sigaction=nx_no_sigaction \
 		--redefine-sym raise=nx_ends_by --redefine-sym kill=nx_kill $@.new
 	ar q $@.new $^ && ranlib $@.new && mv $@.new $@

@@ -44,6 +44,12 @@ run -n 2 stops
 check "ERROR STOP: exit status 1" ended_with 1
 check "ERROR STOP: node, time and text" said '^touchstone run: node 1, at [0-9.]+ [mun]?s: ERROR STOP no good$'
 check "ERROR STOP: its line" said "MAIN__.*stops\.F:2"
+stops "call exit(4)"
+run -n 2 stops
+check "CALL EXIT: its line" said '^touchstone run: node 1 ended at [0-9.]+ [mun]?s with exit\(4\) \(stops\.F:2\)'
+stops "call abort"
+run -n 2 stops
+check "CALL ABORT: its line" said "MAIN__.*stops\.F:2"
 
 # --- errors
 check "wrong: compiles, with bounds checked" nxf77 -fcheck=bounds -o wrong "$f/wrong.f"
