@@ -10,7 +10,8 @@
     touchstone.machines(), touchstone.numbers("delta")         # machines; a machine's numbers with their sources
 
 A table is a pandas.DataFrame if pandas is installed, else a Table: a list of dicts that notebooks show as a table. Times are in seconds
-where the name ends in _s, in picoseconds where it ends in _ps. What a command reports as an error is raised as touchstone.Error.
+where the name ends in _s, in picoseconds where it ends in _ps. What a command reports as an error is raised as touchstone.Error;
+a warning is Python's.
 
 The module has no compiled part, and calls the command touchstone: the one that $TOUCHSTONE names, else that of the installation
 that the module belongs to, else that of $PATH."""
@@ -22,6 +23,7 @@ import os
 import pathlib
 import shutil
 import subprocess
+import warnings
 
 __all__ = ["Error", "Run", "Table", "Why", "machines", "numbers", "profile", "results", "run", "trace", "why"]
 
@@ -118,11 +120,13 @@ def _binary():
     return os.environ.get("TOUCHSTONE") or (found + [shutil.which("touchstone") or "touchstone"])[0]
 
 
-def _call(*words, good=(0,)):
+def _call(*words, good=(0,)):  # (what the programs of a run write on standard error is no warning)
     done = subprocess.run([_binary(), *map(str, words)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                           text=True, check=False)
     if done.returncode not in good:
         raise Error(done.stderr, done.returncode)
+    if words[0] != "run" and done.stderr:
+        warnings.warn(done.stderr.strip(), stacklevel=3)
     return done
 
 

@@ -36,6 +36,9 @@ says "a digest of digits only is a text" "['0000000000000000', '12e4567890123456
 says "a trace: a row a message" "$(jq .messages run.json)" "len(t.trace('t.trace', 'messages'))"
 says "why: its sentences" True "str(t.why('t.trace')).startswith('ring took ')"
 says "why: at the prompt, too" True "repr(t.why('t.trace')).startswith('ring took ')"
+touch ring # younger than the trace
+says "why: of a program that may have changed" True "str(t.why('t.trace')).startswith('ring took ')"
+check "why: a warning of the command is Python's" said 'UserWarning: touchstone trace why: .*ring is younger than t.trace'
 says "why: the path's classes fill the run" True "abs(sum(t.why('t.trace').by_class.column('time_ps')) - 1e12 * $(time_of)) < 1"
 says "a profile: its functions" True "'main' in t.profile('profile.json').column('function')"
 says "a profile: its lines" True "any(line['file'].endswith('halves.c') for line in t.profile('profile.json', lines=True))"
