@@ -229,7 +229,10 @@ void explore_print(const struct explore *x, FILE *out)
     print_guarantee(x, out);
     print_warnings(x, out);
     print_outcomes(x, out);
-    fprintf(out, "\n  %zu runs made in %s, %.1f a second, %u at a time; %zu were in %s/journal\n", x->made,
-            duration_text(x->wall_s).text, x->wall_s > 0 ? (double)x->made / x->wall_s : 0,
-            x->options.at_once, x->before, x->options.dir);
+    if (!x->made)
+        fprintf(out, "\n  no run made: all %zu were in %s/journal\n", x->before, x->options.dir);
+    else
+        fprintf(out, "\n  %zu runs made in %s, %.1f a second, %u at a time; %zu were in %s/journal\n",
+                x->made, duration_text(x->wall_s).text, x->wall_s > 0 ? (double)x->made / x->wall_s : 0,
+                x->options.at_once, x->before, x->options.dir);
 }
