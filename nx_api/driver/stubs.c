@@ -1,6 +1,7 @@
 /* stubs.c - see stubs.h. The names are read from what the linker says, and which of them are variables, from
  * the program (nxcc/language/data_names.cc). */
 #include "nx_api/driver/stubs.h"
+#include <dlfcn.h>
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,8 +9,10 @@
 #include <strings.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include "nx_api/contract/edit_distance.h"
 #include "nx_api/driver/elf_file.h"
 #include "nx_api/driver/mixed.h"
+#include "nx_api/driver/places.h"
 #include "nx_api/driver/text.h"
 
 struct names {
@@ -107,10 +110,39 @@ static struct names read_names(const char *said)
     return n;
 }
 
-static void print_names(const struct names *n)
+/* The call that nx.h declares and that was meant, for free(); NULL: none is like the name, or the name is one
+ * of the C library's. */
+static char *call_meant(const char *name)
 {
-    for (size_t i = 0; i < n->count; i++)
+    size_t room = 0, len = strlen(name);
+    char *path = text("%s/nx.h", places_find().include), *calls = NULL, *open;
+    char *word = text("%.*s", (int)(len - (name[len - 1] == '_')), name); /* Fortran's names end in _ */
+    struct edit_nearest n = {.meant = word};
+    FILE *from = fopen(path, "r");
+    if (from && getdelim(&calls, &room, 0, from) > 0)
+        for (char *at = strtok(calls, " \n*"); at; at = strtok(NULL, " \n*"))
+            if ((open = strchr(at, '('))) {
+                *open = 0;
+                edit_see(&n, at);
+            }
+    char *meant = n.best && !dlsym(RTLD_DEFAULT, word) ? text("%s", n.best) : NULL;
+    if (from)
+        fclose(from);
+    free(calls);
+    free(word);
+    free(path);
+    return meant;
+}
+
+static void print_names(const struct names *n, bool of_mpi)
+{
+    for (size_t i = 0; i < n->count; i++) {
+        char *meant = of_mpi ? NULL : call_meant(n->name[i]);
         fprintf(stderr, "%s%s", i ? ", " : "", n->name[i]);
+        if (meant)
+            fprintf(stderr, " (did you mean %s?)", meant);
+        free(meant);
+    }
 }
 
 /* --- variables --- */
@@ -286,7 +318,7 @@ int stubs_link(const char **gcc, const struct arguments *user, const char *progr
                 program_invocation_short_name);
     } else if (n.count) {
         fprintf(stderr, "%s: %s do not have ", program_invocation_short_name, who);
-        print_names(&n);
+        print_names(&n, user->mpi_program);
         fprintf(stderr,
                 ": %s. If the program can do without %s, --stubs "
                 "links stand-ins, which fail with ENOSYS when they are called; the report names them\n",

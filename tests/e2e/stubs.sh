@@ -20,7 +20,7 @@ echo 'int f(void) { return 0; }' >no_main.c
 printf '      CALL GSYNK()\n      END\n' >misspelt.f
 misspelt() { ! "$BUILD/nxf77" -o misspelt misspelt.f 2>err; }
 check "a misspelt call of Fortran" misspelt
-check "it is sent to the list of calls" said '^nxf77: nodes do not have gsynk_: is the spelling right\? nx\(3\) has all calls'
+check "the call that was meant, and the list of calls, are named" said '^nxf77: nodes do not have gsynk_ \(did you mean gsync\?\): is the spelling right\? nx\(3\) has all calls'
 "$BUILD/nxcc" --as-mpi bin >links
 for_mpi() { ! bin/mpif90 -o misspelt misspelt.f 2>err; }
 check "a program of MPI that lacks a library" for_mpi
