@@ -176,6 +176,10 @@ sed -i 's/ parts.c";/ part.c";/' factor.cfg
 fit factor.cfg
 check "a build that fails is an error" ended_with 65
 check "that tells why" said '^touchstone fit: factor.cfg: build: .*part.c'
+sed 's/build = "/build = "kill -INT $PPID; sleep 60; /' factor.cfg >stopped.cfg
+fit stopped.cfg
+check "a signal stops it: its status is the signal's" ended_with 130
+check "and it can go on" said 'stopped by a signal; the same command goes on from here'
 
 # --- mistakes ---
 wrong() { # NAME SED-SCRIPT MESSAGE - of parts.cfg changed so

@@ -55,7 +55,8 @@ static const char DOC[] =
     "  0   all numbers are determined\n"
     "  1   some are not; they are named\n"
     "  64  wrong arguments\n"
-    "  65  study file or measurements cannot be used, or the results not written\n\n"
+    "  65  study file or measurements cannot be used, or the results not written\n"
+    "  128  and more: stopped by the signal of that number less 128\n\n"
     "Example:\n"
     "  touchstone fit send.cfg --constants mine.cfg";
 
@@ -85,7 +86,10 @@ static int fit(const struct arguments *a, struct fit_options *o)
     if (end == FIT_ERROR)
         cli_say_error("fit", "%s", error);
     free(error);
-    return end == FIT_DONE ? 0 : end == FIT_UNDETERMINED ? EXIT_UNDETERMINED : CLI_EXIT_INPUT;
+    return end == FIT_DONE           ? 0
+           : end == FIT_UNDETERMINED ? EXIT_UNDETERMINED
+           : *o->signal              ? 128 + *o->signal
+                                     : CLI_EXIT_INPUT;
 }
 
 int cli_fit(int argc, char **argv)
@@ -93,12 +97,14 @@ int cli_fit(int argc, char **argv)
     static const struct argp_child CHILDREN[] = {{&CLI_SESSION, 0, NULL, 0}, {0}};
     static const struct argp ARGP = {OPTIONS, parse, "STUDY", DOC, CHILDREN, NULL, NULL};
     struct arguments a = {.most = 200};
+    int signal = 0;
     struct cli_session s;
     cli_parse(&ARGP, "touchstone fit", 0, argc, argv, &a);
     struct fit_options o = {.most = a.most,
                             .json = a.json,
                             .out = a.json && !strcmp(a.json, "-") ? stderr : stdout,
-                            .progress = stderr};
+                            .progress = stderr,
+                            .signal = &signal};
     if (!cli_session_begin(&s, "fit", &a.study.session, &o.study))
         return CLI_EXIT_INPUT;
     int status = fit(&a, &o);

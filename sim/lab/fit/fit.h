@@ -32,6 +32,7 @@ struct fit_options {
     unsigned most;              /* evaluations at most */
     FILE *out;                  /* for the result */
     FILE *progress;             /* for a line about each evaluation */
+    int *signal;                /* becomes the signal that ended the fit with FIT_ERROR, if one did */
 };
 
 enum fit_end {

@@ -48,6 +48,7 @@ static bool command(struct fit *f, const char *factors)
     struct pool_job job = {.name = "build", .argv = argv, .dir = dir};
     struct pool_end end = pool_run(&job, 1, 1, NULL);
     bool good = end.all_done && job.state == POOL_DONE;
+    *f->options->signal = end.stopped;
     if (!good)
         f->error = end.stopped ? xasprintf("stopped by a signal; the same command goes on from here")
                                : xasprintf("%s: build: %s", file, job.error ? job.error : "not run");

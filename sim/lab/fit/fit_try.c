@@ -144,6 +144,7 @@ static bool run(struct fit *f, const double position[], const char *at)
     bool impossible = !study && is_impossible(f, at);
     enum study_end end = study ? study_run(study, &f->error) : STUDY_ERROR;
     if (end == STUDY_STOPPED)
+        *f->options->signal = study_counts(study).signal,
         f->error = xasprintf("stopped by a signal; the same command goes on from here");
     bool good = (end == STUDY_DONE || end == STUDY_INCOMPLETE) && compare(f, study, at);
     if (good) {
