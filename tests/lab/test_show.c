@@ -704,6 +704,24 @@ static void space_time_opens_where_messages_are_dense(void **state)
     drop(&t);
 }
 
+/* A few messages at the end of a run were one line, though all had room. */
+static void space_time_opens_where_few_messages_are(void **state)
+{
+    (void)state;
+    struct trace t = made_trace(2, VT_SECOND);
+    double black[2];
+    for (int i = 0; i < 8; i++) {
+        vtime sent = VT_SECOND * 9 / 10 + (vtime)i * VT_MICROSECOND;
+        int32_t send = made_call(&t, 0, "csend", TRACE_SENDS, 1, sent, sent + 10);
+        int32_t receive = made_call(&t, 1, "crecv", TRACE_RECEIVES, 1, sent, sent + VT_MICROSECOND);
+        made_message(&t, send, receive, 1, 1, sent, sent, sent + 100, sent + VT_MICROSECOND);
+    }
+    for (int densest = 0; densest < 2; densest++)
+        black[densest] = space_time_pixels(&t, densest, COLOUR(0x222222));
+    assert_true(black[1] > 3 * black[0]);
+    drop(&t);
+}
+
 /* All sent at one moment: the picture had two picoseconds around that, and no line left the sender's. */
 static void space_time_has_arrivals_of_messages_sent_at_once(void **state)
 {
@@ -818,6 +836,7 @@ int main(void)
         cmocka_unit_test(handlers_are_in_every_legend),
         cmocka_unit_test(scales_can_be_given),
         cmocka_unit_test(space_time_opens_where_messages_are_dense),
+        cmocka_unit_test(space_time_opens_where_few_messages_are),
         cmocka_unit_test(space_time_has_arrivals_of_messages_sent_at_once),
         cmocka_unit_test(colours_survive_grey_print),
         cmocka_unit_test(areas_are_shares_of_time),

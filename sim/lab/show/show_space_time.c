@@ -152,6 +152,9 @@ static void draw_all_messages(const struct canvas *c, const struct space_time *d
 
 static char *notes(const struct space_time *d)
 {
+    if (d->show->densest && d->sample.count == (size_t)d->show->trace->message_count)
+        return xasprintf("Where all %s messages are; --messages N draws the whole run",
+                         number_grouped(d->sample.count).text);
     if (d->show->densest)
         return xasprintf("Where messages are the densest: %zu of %s%s; --messages N draws the whole run",
                          d->sample.count, number_grouped((uint64_t)d->show->trace->message_count).text,
@@ -207,7 +210,7 @@ static int by_length(const void *a, const void *b)
 }
 
 /* Narrows the trace's interval to the shortest one in which so many of the sampled messages are sent, and
- * half of them arrive: all nodes may send at one moment. */
+ * half of them arrive, or all if these are all messages: all nodes may send at one moment. */
 static void narrow(const struct message_sample *all, size_t most, struct trace *t)
 {
     struct way *ways = xcalloc(all->count, sizeof *ways);
@@ -222,23 +225,36 @@ static void narrow(const struct message_sample *all, size_t most, struct trace *
             best = i;
     vtime first = ways[best].sent, last = ways[best + most - 1].sent;
     qsort(ways + best, most, sizeof *ways, by_length);
-    last += ways[best + most / 2].length;
+    last += ways[most < all->count ? best + most / 2 : most - 1].length;
     vtime room = (last - first) / 20 + 1, from = first > room ? first - room : 0;
     t->from = from > t->from ? from : t->from;
     t->to = vt_min(last + room, t->to);
     free(ways);
 }
 
-/* Chooses the interval in which messages are the densest, if there are more of them than have room. Returns
- * whether that is a part of the run. */
+/* Are all of these messages in so small a part of the run that none could be seen? */
+static bool is_crowded(const struct message_sample *all, const struct trace *t)
+{
+    const vtime PARTS = 10;
+    vtime first = t->to, last = t->from;
+    for (size_t i = 0; i < all->count; i++) {
+        const struct trace_message *m = &t->messages[all->list[i]];
+        first = vt_min(first, m->sent);
+        last = vt_max(last, m->complete == VT_NEVER ? m->sent : m->complete);
+    }
+    return all->count > 0 && last - first < (t->to - t->from) / PARTS;
+}
+
+/* Chooses the interval in which messages are the densest, if there are more of them than have room, or if all
+ * are crowded in a small part of the run. Returns whether it has chosen one. */
 static bool choose_interval(struct space_time *d, struct trace *t)
 {
     struct message_sample all = message_sample_make(t, &d->lines, SIZE_MAX);
     d->sample = message_sample_make(t, &d->lines, MOST_UNASKED);
     size_t room = room_for_messages(d), most = room < SCREENFUL ? room : SCREENFUL;
-    bool part = all.count > most && most > 1;
+    bool part = (all.count > most && most > 1) || is_crowded(&all, t);
     if (part)
-        narrow(&all, most, t);
+        narrow(&all, all.count < most ? all.count : most, t);
     message_sample_free(&d->sample);
     message_sample_free(&all);
     return part;
