@@ -105,9 +105,9 @@ static char *notes(const struct show *s, const struct state_times *single)
         least = fmin(least, v), most = fmax(most, v), sum += v;
     }
     char *rows = s->rows.per > 1 ? node_rows_text(&s->rows, "spokes") : xstrdup("a spoke a node");
-    char *text = xasprintf("%s; computing: %.1f %% of the time at the least busy node, %.1f %% on average, "
-                           "%.1f %% at the busiest",
-                           rows, 100 * least, 100 * sum / single->rows, 100 * most);
+    char *text = xasprintf(
+        "%s; computing: %s of the time at the least busy node, %s on average, %s at the busiest", rows,
+        stacked_share(least).text, stacked_share(sum / single->rows).text, stacked_share(most).text);
     free(rows);
     return text;
 }

@@ -1,6 +1,7 @@
 /* stacked.c - see stacked.h. */
 #include "lab/show/stacked.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include "kernel/xalloc.h"
 
@@ -98,12 +99,14 @@ void stacked_draw(const struct canvas *c, struct plot area, const struct state_t
         draw_under(c, area, s, row, nodes, a);
 }
 
-/* In a list: with one decimal each. */
-static char *entry_text(enum activity a, double share)
+struct share_text stacked_share(double share)
 {
-    bool little = share > 0 && share < 0.0005;
-    return little ? xasprintf("%s < 0.1 %%", activity_name(a))
-                  : xasprintf("%s %.1f %%", activity_name(a), 100 * share);
+    struct share_text t;
+    if (share > 0 && share < 0.0005)
+        snprintf(t.text, sizeof t.text, "< 0.1 %%");
+    else
+        snprintf(t.text, sizeof t.text, "%.1f %%", 100 * share);
+    return t;
 }
 
 void stacked_legend(const struct canvas *c, double x, double y, const struct state_times *s, vtime end,
@@ -120,7 +123,9 @@ void stacked_legend(const struct canvas *c, double x, double y, const struct sta
     for (enum activity a = 0; a <= ACTIVITIES; a++) {
         if ((a >= activities && a < ACTIVITIES) || (a == ACTIVITIES && sums[a] <= SEEN * all))
             continue;
-        list[count++] = (struct legend_entry){palette_activity(a), entry_text(a, sums[a] / all), false};
+        list[count++] = (struct legend_entry){
+            palette_activity(a), xasprintf("%s %s", activity_name(a), stacked_share(sums[a] / all).text),
+            false};
     }
     if (count > ACTIVITIES)
         x = HEAD_LEFT; /* all of them are too long for the plot's width */

@@ -17,6 +17,11 @@ void stacked_finish(const struct canvas *c, struct plot p, struct canvas *field)
 /* Draws the first `activities` of a row into the area, whose height stands for `nodes` nodes. */
 void stacked_draw(const struct canvas *c, struct plot area, const struct state_times *s, int32_t row,
                   double nodes, enum activity activities);
+/* "7.3 %"; "< 0.1 %" of what is little, and not nothing. */
+struct share_text {
+    char text[16];
+};
+struct share_text stacked_share(double share);
 /* The legend of the first `activities`, with the share of each in all time up to the end of the run, even if
  * that is 0: pictures of one run have one legend. */
 void stacked_legend(const struct canvas *c, double x, double y, const struct state_times *s, vtime end,
