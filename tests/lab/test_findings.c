@@ -157,6 +157,20 @@ static void names_have_no_first_and_last(void **state)
     free(text);
 }
 
+/* Of two machines that were as good, the first was named alone. */
+static void all_that_are_best_are_named(void **state)
+{
+    (void)state;
+    static const char THREE[] = "{ \"title\": \"T\", \"about\": \"\", \"program\": \"p\", \"baseline\": null,"
+                                "  \"axes\": { \"machine\": [\"a\", \"b\", \"c\"] }, \"points\": ["
+                                "  { \"machine\": \"a\", \"failure\": null, \"idle_pct\": 0 },"
+                                "  { \"machine\": \"b\", \"failure\": null, \"idle_pct\": 3 },"
+                                "  { \"machine\": \"c\", \"failure\": null, \"idle_pct\": 0 } ] }\n";
+    char *text = page_of_results(THREE, "idle_pct", "machine", "", "");
+    says(text, "least, 0.000, at machine a and c.\n");
+    free(text);
+}
+
 /* The page said of every study that points had been left out, also of one that had run all. */
 static void says_how_many_are_left_out(void **state)
 {
@@ -273,6 +287,7 @@ int main(void)
                                        cmocka_unit_test(best_value_of_an_axis),
                                        cmocka_unit_test(factors_are_said_in_words),
                                        cmocka_unit_test(names_have_no_first_and_last),
+                                       cmocka_unit_test(all_that_are_best_are_named),
                                        cmocka_unit_test(says_how_many_are_left_out),
                                        cmocka_unit_test(one_point_is_no_points),
                                        cmocka_unit_test(short_times_are_in_their_own_unit),

@@ -228,6 +228,18 @@ static size_t best_of(const struct page *p, size_t panel, size_t line)
     return at;
 }
 
+/* Writes "8 nodes"; or of names all at which the line is as good: "machine delta and paragon". */
+static void write_best(const struct page *p, size_t panel, size_t line, size_t at)
+{
+    const struct chart_axis *x = &p->data->x;
+    char *names = xstrdup(x->label[at]);
+    for (size_t i = at + 1; i < x->count && !x->numeric; i++)
+        if (merit(p, panel, line, i) == merit(p, panel, line, at))
+            words_append(&names, " and %s", x->label[i]);
+    write_place(p, x->name, names);
+    free(names);
+}
+
 /* The range around `at` in which the line stays within a tenth of its best. */
 static void near_best(const struct page *p, size_t panel, size_t line, size_t at, size_t *from, size_t *to)
 {
@@ -317,7 +329,7 @@ static void say_best(const struct page *p, size_t panel, size_t line)
     fprintf(p->out, "%s, ", best_word(p));
     write_value(p, panel, line, at);
     fputs(", at ", p->out);
-    write_range(p, at, at);
+    write_best(p, panel, line, at);
     if (from < to && d->x.numeric)
         fprintf(p->out, "; within a tenth of it from %s to %s", d->x.label[from], d->x.label[to]);
     fputs(".\n", p->out);
