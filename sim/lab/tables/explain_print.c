@@ -15,12 +15,19 @@ static struct explain_line around_line(const struct explain *e)
                                  {-e->around_s[EXPLAIN_HOSTS], -e->around_s[EXPLAIN_SLAVES]}};
 }
 
+/* A value to be printed with so many decimals; none is printed as -0.000. */
+static double rounded(double v, int decimals)
+{
+    double unit = pow(10, -decimals);
+    return fabs(v) < unit / 2 ? 0 : v;
+}
+
 static void print_line(FILE *out, const struct explain *e, const struct explain_line *l)
 {
     fprintf(out, "  %-33s", l->label);
     for (int c = 0; c < EXPLAIN_CLASSES; c++)
         if (e->nodes[c])
-            fprintf(out, "%14.3f%8.2f", l->s[c], percent(e, l, c));
+            fprintf(out, "%14.3f%8.2f", rounded(l->s[c], 3), rounded(percent(e, l, c), 2));
     fputc('\n', out);
 }
 
@@ -61,9 +68,10 @@ void explain_print(const struct explain *e, FILE *out)
 {
     static const char *const NAMES[EXPLAIN_CLASSES][2] = {{"host", "hosts"}, {"slave", "slaves"}};
     fprintf(out,
-            "Table %u, %u node%s: %.3f s (the paper's: %g s); measuring it (-times) makes it %+.2f %%\n\n",
+            "Table %u, %u node%s: %.3f s (the paper's: %g s)\n"
+            "With -times, which measures where the time goes: %.3f s (%+.2f %%)\n\n",
             e->table, e->row->nodes, e->row->nodes == 1 ? "" : "s", e->plain_s, e->row->paper.total_s,
-            100 * (e->total_s / e->plain_s - 1));
+            e->total_s, 100 * (e->total_s / e->plain_s - 1));
     fprintf(out, "%35s", "");
     for (int c = 0; c < EXPLAIN_CLASSES; c++)
         if (e->nodes[c])
