@@ -171,6 +171,13 @@ traced -n 3 decides
 why t.trace
 check "the waits of the node that decides are not among those of the others" prints \
     'The other nodes waited for [0-9.]+ % of their time, [0-9.]+ ms in all\. Of all waiting, 100(\.0)? % was for node 1: '
+head -2 decides.c >even.c
+echo 'int main(void) { work(9000); gsync(); return 0; }' >>even.c
+"$BUILD/nxcc" -O2 -o even even.c
+traced -n 3 even
+why t.trace
+check "of nodes that all work for the whole run none decides" eval \
+    'prints "none of them alone decides how long it takes\." && prints "only less of it on all nodes, or" && ! prints "Node [0-9] decides"'
 head -2 decides.c >parts.c
 cat >>parts.c <<'END'
 int main(void)

@@ -195,11 +195,36 @@ static void say_classes(struct why *w, const struct part *p, FILE *f)
     }
 }
 
-/* Does one node have more than three quarters of the path? */
+/* The time of the nodes' programs, but for one node. */
+static vtime time_of_others(const struct why *w, int32_t but, vtime *idle)
+{
+    vtime all = 0;
+    *idle = 0;
+    for (int32_t i = 0; i < w->t->node_count; i++) {
+        vtime end = vt_min(w->t->nodes[i].end, w->t->to);
+        if (i != but && w->t->nodes[i].traced && end > w->t->from)
+            all += end - w->t->from;
+    }
+    for (size_t i = 0; i < w->causes.count; i++)
+        *idle += w->causes.parts[i].node != but ? w->causes.parts[i].idle : 0;
+    return all;
+}
+
+/* Do all nodes work for nearly all of the run? Less work on one of them would change little. Of some nodes'
+ * waits nobody can say. */
+static bool all_work(const struct why *w)
+{
+    vtime idle, all = time_of_others(w, TRACE_NONE, &idle), run = 0;
+    for (int32_t i = 0; i < w->t->node_count; i++)
+        run += w->t->nodes[i].traced ? w->length : 0;
+    return w->t->node_count > 1 && !w->some_nodes && run - (all - idle) < run / 20;
+}
+
+/* Does one node have more than three quarters of the path, and others time to spare? */
 static bool one_decides(struct why *w, int32_t *node, vtime *part)
 {
     *node = why_main_node(w, part);
-    return *part > w->length / 4 * 3 && w->t->node_count > 1;
+    return *part > w->length / 4 * 3 && w->t->node_count > 1 && !all_work(w);
 }
 
 static void path(struct why *w, FILE *f)
@@ -217,11 +242,18 @@ static void path(struct why *w, FILE *f)
             capital(node_words(w, node)).text, node_words(w, node), why_time(u, time).text,
             why_percent(time, w->length).text);
     } else if (w->t->node_count > 1) {
-        fprintf(
-            f,
-            "The critical path, traced from the end of the run back to its start along what had to happen "
-            "first, goes %s times from one node to another; its largest part, %s, is on %s.",
-            number_grouped(w->path.jumps).text, why_percent(time, w->length).text, node_words(w, node));
+        fprintf(f,
+                "%sThe critical path, traced from the end of the run back to its start along what had to "
+                "happen first, ",
+                all_work(w) ? "All nodes work for nearly all of the run: none of them alone decides how long "
+                              "it takes. "
+                            : "");
+        if (w->path.jumps)
+            fprintf(f, "goes %s time%s from one node to another; its largest part, %s, is on %s.",
+                    number_grouped(w->path.jumps).text, w->path.jumps == 1 ? "" : "s",
+                    why_percent(time, w->length).text, node_words(w, node));
+        else
+            fprintf(f, "is on %s alone.", node_words(w, node));
     }
     say_classes(w, &p, f);
 }
@@ -245,7 +277,9 @@ static void cause(struct why *w, FILE *f)
         fprintf(f,
                 "So computing is the only cause: only less of it on %s, or a faster processor, makes the run "
                 "shorter.",
-                one ? node_words(w, node) : "the path");
+                all_work(w) ? "all nodes"
+                : one       ? node_words(w, node)
+                            : "the path");
     } else if (one && (most == WHY_HANDLERS || most == WHY_OTHER_MESSAGES)) {
         fprintf(
             f,
@@ -331,21 +365,6 @@ static void say_reasons(const struct why *w, int32_t but, int32_t partner, vtime
     for (int i = 0; i < 4 && worth_a_word(reasons[i].idle, all); i++)
         fprintf(f, "%s%s because %s", i ? ", " : "", why_percent(reasons[i].idle, all).text,
                 cause_words(reasons[i].cause, reasons[i].doing));
-}
-
-/* The time of the nodes' programs, but for one node. */
-static vtime time_of_others(const struct why *w, int32_t but, vtime *idle)
-{
-    vtime all = 0;
-    *idle = 0;
-    for (int32_t i = 0; i < w->t->node_count; i++) {
-        vtime end = vt_min(w->t->nodes[i].end, w->t->to);
-        if (i != but && w->t->nodes[i].traced && end > w->t->from)
-            all += end - w->t->from;
-    }
-    for (size_t i = 0; i < w->causes.count; i++)
-        *idle += w->causes.parts[i].node != but ? w->causes.parts[i].idle : 0;
-    return all;
 }
 
 static void waiting(struct why *w, FILE *f)
