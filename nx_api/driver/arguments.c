@@ -57,7 +57,7 @@ static const char *file_of(const char *name, int argc, char **argv, int *i)
     if (argv[*i][n] == '=')
         return argv[*i] + n + 1;
     if (++*i == argc)
-        fail("%s needs a name behind it", name);
+        fail("%s needs a name after it", name);
     return argv[*i];
 }
 

@@ -28,7 +28,7 @@ extern "C" {
 void csend(long type, const void *buf, long len, long node, long pid);
 /* Wait for one selected message and receive it: the first that has come whole; if none has, the first on its
  * way. Messages of one type from one process are received in the order sent. A probe finds the message that
- * the receive behind it takes (which of several that have come: silent). A message longer than len is an
+ * the receive after it takes (which of several that have come: silent). A message longer than len is an
  * error, EQMSGLONG: the message is lost, and buf unchanged (silent). Errors: EQLEN, EQPBUF, EQMSGLONG; of all
  * receives. */
 void crecv(long typesel, void *buf, long len);

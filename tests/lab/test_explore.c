@@ -598,7 +598,7 @@ static void a_handler_behind_another_call_is_told(void **state)
     char *words = divergence_words(&d, a, b);
     assert_string_equal(words,
                         "at 1.5 us the 1st handler of node 1 (a.c:4) ran before the program's first call; in "
-                        "the usual timing in or behind the program's 6th call");
+                        "the usual timing in or after the program's 6th call");
     free(words);
     recording_free(a);
     recording_free(b);
@@ -615,9 +615,8 @@ static void a_handler_at_another_moment_is_told(void **state)
     struct divergence d = divergence_first(a, b);
     assert_int_equal(d.kind, DIVERGENCE_MOMENT);
     char *words = divergence_words(&d, a, b);
-    assert_string_equal(words,
-                        "behind the same call, but at another moment: the 1st handler of node 1 ran at "
-                        "1.5 us (a.c:6); in the usual timing at 1 us (a.c:4)");
+    assert_string_equal(words, "after the same call, but at another moment: the 1st handler of node 1 ran at "
+                               "1.5 us (a.c:6); in the usual timing at 1 us (a.c:4)");
     free(words);
     recording_free(a);
     recording_free(b);

@@ -109,12 +109,12 @@ static char *words_of_message(const struct divergence *d, const struct recording
     return text;
 }
 
-/* Adds "in or behind the program's 6th call". */
+/* Adds "in or after the program's 6th call". */
 static void append_calls(char **text, uint64_t begun)
 {
     char count[REC_ORDINAL];
     if (begun)
-        words_append(text, "in or behind the program's %s call", rec_ordinal(begun - 1, count));
+        words_append(text, "in or after the program's %s call", rec_ordinal(begun - 1, count));
     else
         words_append(text, "before the program's first call");
 }
@@ -141,7 +141,7 @@ static char *words_of_moment(const struct divergence *d, const struct recording 
     char name[REC_NAME], count[REC_ORDINAL], time[REC_TIME], *text;
     const struct rec_handler *h = recording_handler(run, d->node, d->number),
                              *b = recording_handler(base, d->node, d->number);
-    text = xasprintf("behind the same call, but at another moment: the %s handler of %s ran at %s",
+    text = xasprintf("after the same call, but at another moment: the %s handler of %s ran at %s",
                      rec_ordinal(d->number, count), rec_node_name(d->node, run->nodes, name),
                      rec_time(h->at, time));
     append_place(&text, NULL, h->line);
