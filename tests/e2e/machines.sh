@@ -28,6 +28,7 @@ check "a number without a comment" shows '^system\.message_ids +9$'
 check "the costs of its processor" shows '^cpu\.clocks\.integer +1 +known '
 machines show ipsc860
 check "numbers of an included file" shows '^cfs\.disks +[0-9]+ +[a-z]+ '
+check "a source can be read without its neighbours" shows '^system\.short_send_us +35 +open +its part of the 65 us of a short message \(known: Bokhari\)$'
 
 machines diff delta ./own.cfg
 check "all that differs" test "$(tail -n +2 out | awk '{ print $1, $2, $3 }' | paste -sd ,)" = "system.call_us 5 7.5,system.message_ids 500 9"
