@@ -200,6 +200,14 @@ def check_timeline(b):
     check_shares(b, s, last)
 
 
+def check_printed(b):
+    b.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    breaks = b.run("""return [...document.querySelectorAll('main > section > h2 + p')].map(p => {
+        const style = getComputedStyle(p); return `${style.breakAfter} ${style.breakInside}`; })""")
+    b.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+    rule("printed: a heading and what follows it stay with their picture", breaks and set(breaks) == {"avoid avoid"}, breaks)
+
+
 def check_first_row(b, canvas):
     """The label of node 0 was hidden below the axis of time where rows are low."""
     tones = b.run("""const t = arguments[0].timeline, {left, axis, scale} = t.painter.layout, tones = new Set();
@@ -531,7 +539,7 @@ def check_names(b):
 browser = Browser()
 try:
     browser.open(page)
-    for check in (check_tables, check_study, check_run, check_timeline, check_trace_rest, check_surfaces, check_keyboard,
+    for check in (check_tables, check_printed, check_study, check_run, check_timeline, check_trace_rest, check_surfaces, check_keyboard,
                   check_widths, check_markup, check_colours, check_speed, check_together,
                   check_nested, check_names):
         try:
