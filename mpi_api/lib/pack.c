@@ -80,7 +80,7 @@ CALL(Pack,
     size_t bytes = (size_t)count * size_of(type);
     if (count < 0 || *position < 0 || (size_t)*position + bytes > (size_t)room)
         return fail(c, CALL_Pack, count < 0 ? MPI_ERR_COUNT : MPI_ERR_TRUNCATE,
-                    "%d elements of %zu bytes do not fit into %d bytes behind position %d", count,
+                    "%d elements of %zu bytes do not fit into %d bytes after position %d", count,
                     size_of(type), room, *position);
     type_pack(buf, count, type, (char *)into + *position);
     *position += (int)bytes;
@@ -98,7 +98,7 @@ CALL(Unpack,
     size_t bytes = (size_t)count * size_of(type);
     if (count < 0 || *position < 0 || (size_t)*position + bytes > (size_t)size)
         return fail(c, CALL_Unpack, count < 0 ? MPI_ERR_COUNT : MPI_ERR_TRUNCATE,
-                    "there are fewer than %d elements of %zu bytes in %d bytes behind position %d", count,
+                    "there are fewer than %d elements of %zu bytes in %d bytes after position %d", count,
                     size_of(type), size, *position);
     type_unpack((const char *)from + *position, bytes, buf, count, type);
     *position += (int)bytes;

@@ -287,9 +287,9 @@ static void print_cause(FILE *f, const struct node *n)
                 ": 0x%zx, in its code or constants, which cannot be changed (a text in quotes is a constant)",
                 (size_t)g->address);
     else if (memory && is_behind(g->address, n->guest.program + n->guest.image_bytes))
-        fprintf(f, ": 0x%zx, behind the end of its static data", (size_t)g->address);
+        fprintf(f, ": 0x%zx, past the end of its static data", (size_t)g->address);
     else if (memory && is_behind(g->address, n->guest.heap_start + n->guest.region->heap_bytes))
-        fprintf(f, ": 0x%zx, behind the end of its heap", (size_t)g->address);
+        fprintf(f, ": 0x%zx, past the end of its heap", (size_t)g->address);
     else if (memory)
         fprintf(f, ": 0x%zx", (size_t)g->address);
     if (whole)

@@ -18,11 +18,11 @@ at_line "a frame larger than the stack" large_frame
 stopped "an array larger than the stack" 'stack of 512 KB overflowed' apart array 1000000
 at_line "an array larger than the stack" any_frame
 stopped "an array larger than many stacks" 'stack of 512 KB overflowed' apart array 100000000
-stopped "over the end of the heap" 'behind the end of its heap' apart heap
+stopped "over the end of the heap" 'past the end of its heap' apart heap
 at_line "over the end of the heap" 'overrun|main'
-stopped "over the end of static data" 'behind the end of its static data' apart data
+stopped "over the end of static data" 'past the end of its static data' apart data
 for way in behind head before; do
-    stopped "writing $way a block, found at the end" 'its heap is damaged: .* before or behind the 1[0-9]+ bytes' apart $way
+    stopped "writing $way a block, found at the end" 'its heap is damaged: .* before or after the 1[0-9]+ bytes' apart $way
 done
 stopped "writing behind a block, found by free" 'free: .* written past its end' apart free
 stopped "writing behind a block, found by realloc" 'realloc: .* written past its end' apart realloc

@@ -31,7 +31,7 @@ fault illegal 1 'node 1 crashed .*: illegal instruction' '^  in main.*faults.c:'
 fault copy 1 'node 1 crashed .*: 0x8, a member of a null pointer, or a number that is no address$' '^  in memcpy$' '^  called from copy.*faults.c:' "$called"
 fault no_function 1 'node 1 crashed .*: a null pointer$' '^  in no function: it called a pointer that leads to none$' '^  called from main.*faults.c:'
 fault heap 1 'node 1, at [0-9.]+ [mun]?s: free: 0x[0-9a-f]+ .*was written past its end' '^  called from .*faults.c:'
-fault heap_end 1 'node 1, at [0-9.]+ [mun]?s: its heap is damaged: .*behind the 20 bytes at'
+fault heap_end 1 'node 1, at [0-9.]+ [mun]?s: its heap is damaged: .*after the 20 bytes at'
 fault heap_before 1 'node 1, at [0-9.]+ [mun]?s: free: 0x[0-9a-f]+ was not allocated'
 fault free_twice 1 'node 1, at [0-9.]+ [mun]?s: free: 0x[0-9a-f]+ .*is freed already' '^  called from .*faults.c:'
 fault free_other 1 'node 1, at [0-9.]+ [mun]?s: free: 0x[0-9a-f]+ was not allocated' '^  called from .*faults.c:'

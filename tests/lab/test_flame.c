@@ -97,6 +97,20 @@ static void lines_of_all_paths_are_one(void **state)
     flame_free(f);
 }
 
+static void lines_of_nothing_are_counted_only(void **state)
+{
+    struct flame *f = load(HEAD(1) "\"0 r 0 \\t\", \"0 f 3 main\\ta.c\"], \"shares\": ["
+                                   "\"1 4 a.c\\t0:100000 \", \"1 5 a.c\\t0:4 \"]}}",
+                           NULL, NULL);
+    char *text = written(f, flame_write_lines);
+    (void)state;
+    assert_non_null(strstr(text, "a.c:4"));
+    assert_null(strstr(text, "a.c:5"));
+    assert_non_null(strstr(text, " in 1 more line "));
+    free(text);
+    flame_free(f);
+}
+
 static void stacks_are_folded(void **state)
 {
     struct flame *f = load(ONE, NULL, NULL);
@@ -181,6 +195,7 @@ int main(void)
         cmocka_unit_test(totals_are_sums),
         cmocka_unit_test(nodes_are_selected),
         cmocka_unit_test(lines_of_all_paths_are_one),
+        cmocka_unit_test(lines_of_nothing_are_counted_only),
         cmocka_unit_test(stacks_are_folded),
         cmocka_unit_test(two_profiles_are_one_tree),
         cmocka_unit_test(a_picture_is_xml_whatever_the_names),

@@ -130,7 +130,7 @@ void node_libc_end(struct node *n)
     node_libc_flush(n);
     size_t bytes = node_heap_check(n->guest.heap, &block);
     if (block)
-        node_fail(n, "its heap is damaged: something was written before or behind the %zu bytes at %p", bytes,
+        node_fail(n, "its heap is damaged: something was written before or after the %zu bytes at %p", bytes,
                   block);
 }
 

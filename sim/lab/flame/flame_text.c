@@ -264,10 +264,17 @@ static void write_line(const struct flame *f, const struct flame_line *l, struct
     free(place);
 }
 
+/* Lines of 0.00 % say nothing, but for a change. */
+static bool is_shown(const struct flame *f, const struct flame_line *l)
+{
+    return flame_is_diff(f) || percent(f, l->time, 0) >= 0.005;
+}
+
 void flame_write_lines(const struct flame *f, FILE *out)
 {
     struct source s = {0};
     vtime shown = 0, all = 0;
+    size_t count = 0;
     write_head(f, out);
     if (flame_is_diff(f))
         fprintf(out, "%7s %14s %14s %14s  %-28s %s\n", "share", "before", "now", "change (s)", "line",
@@ -276,14 +283,16 @@ void flame_write_lines(const struct flame *f, FILE *out)
         fprintf(out, "%7s %14s  %-28s %s\n", "share", "seconds", "line", "function");
     for (size_t i = 0; i < f->line_count; i++) {
         all += f->lines[i].time[0];
-        if (i >= SHOWN_LINES)
+        if (count == SHOWN_LINES || !is_shown(f, &f->lines[i]))
             continue;
+        count++;
         shown += f->lines[i].time[0];
         write_line(f, &f->lines[i], &s, out);
     }
-    if (f->line_count > SHOWN_LINES)
-        fprintf(out, "%s in %zu more lines (-f json has them all)\n",
-                duration_text(seconds(all - shown)).text, f->line_count - SHOWN_LINES);
+    if (f->line_count > count)
+        fprintf(out, "%s in %zu more line%s (-f json has them all)\n",
+                duration_text(seconds(all - shown)).text, f->line_count - count,
+                f->line_count - count == 1 ? "" : "s");
     fprintf(out, "\nThe lines compute for %s; the rest is the system's time and waiting.\n",
             duration_text(seconds(all)).text);
     free(s.text);

@@ -28,7 +28,7 @@ static int by_time(const void *a, const void *b)
     const struct tally_row *x = a, *y = b;
     if (x->time != y->time)
         return x->time > y->time ? -1 : 1;
-    return strcmp(x->label, y->label);
+    return strverscmp(x->label, y->label); /* node 2 before node 10 */
 }
 
 static void collect(const void *node, VISIT which, void *closure)
