@@ -1,6 +1,7 @@
 /* mixed.c - see mixed.h. Counted code of simulated nodes uses nxc_left or nxc_stack_pointer, code for a
  * cluster has polls of nxc_due; each library defines its own. */
 #include "nx_api/driver/mixed.h"
+#include <errno.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -31,14 +32,14 @@ static void report(const char *object, bool mpi)
 {
     if (mpi)
         fprintf(stderr,
-                "nxcc: %s was compiled for simulated nodes, without --mpi: compile all objects again with "
+                "%s: %s was compiled for simulated nodes, without --mpi: compile all objects again with "
                 "--mpi, or link without\n",
-                object);
+                program_invocation_short_name, object);
     else
         fprintf(stderr,
-                "nxcc: %s was compiled for a cluster, with --mpi: compile all objects again without, or link "
+                "%s: %s was compiled for a cluster, with --mpi: compile all objects again without, or link "
                 "with --mpi\n",
-                object);
+                program_invocation_short_name, object);
 }
 
 bool mixed_report(const char *said, bool mpi)

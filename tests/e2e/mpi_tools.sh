@@ -258,7 +258,7 @@ bin/mpicc -w -o spawns spawns.c >out 2>err
 status=$?
 check "calls that there are not are an error when the program is linked" ended_with 1
 check "all are named, and where to read more" \
-    said '^nxcc: nodes do not have MPI_Comm_spawn_multiple, MPI_Session_init: .*doc/mpi-programs\.md says which calls of MPI there are'
+    said '^mpicc: nodes do not have MPI_Comm_spawn_multiple, MPI_Session_init: .*doc/mpi-programs\.md says which calls of MPI there are'
 
 # --- objects that are freed while they are used ---
 build freed_early -O2
