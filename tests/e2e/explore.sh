@@ -12,7 +12,7 @@ explore() { # FOLDER ARGS...
     status=$?
 }
 # All but the last line, which has times of this computer, and what mpirun says behind it.
-report() { sed '/^  [0-9]* runs made in/,$d' out; }
+report() { sed -E '/^  ([0-9]+ runs made in|no run made: )/,$d' out; }
 # figure FILE EXPRESSION: of the JSON d
 figure() { python3 -c "import json, sys; d = json.load(open(sys.argv[1])); print($2)" "$1"; }
 repeats() { # FILE OUTCOME: the command that the report gives for the outcome, and its outcome again
