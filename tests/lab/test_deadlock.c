@@ -141,6 +141,27 @@ static void test_many_states(void **state)
     waitfor_free(w);
 }
 
+static void summary_says(long awaited, const char *expected)
+{
+    struct waitfor *w = ring_as_it_is(3);
+    for (uint32_t i = 0; i < 3; i++)
+        wait_for(w, i, 7, awaited < 0 || i == 0 ? WAITFOR_ANY : awaited);
+    waitfor_analyse(w);
+    assert_true(w->knot);
+    char *summary = deadlock_draw_summary(w);
+    assert_string_equal(summary, expected);
+    free(summary);
+    waitfor_free(w);
+}
+
+/* All that wait for a single one that anybody could free are a knot, too, but that one is the reason. */
+static void test_summary(void **state)
+{
+    (void)state;
+    summary_says(WAITFOR_ANY, "3 of 3 programs wait; a knot: each for a message that any other could send");
+    summary_says(0, "3 of 3 programs wait; no cycle: what has a thick frame has a reason of its own");
+}
+
 static void legend_says(const struct waitfor *w, const char *expected)
 {
     struct deadlock_graph *g = deadlock_graph_make(w);
@@ -209,7 +230,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_small_cycle), cmocka_unit_test(test_long_cycle),  cmocka_unit_test(test_groups),
         cmocka_unit_test(test_any),         cmocka_unit_test(test_many_states), cmocka_unit_test(test_legend),
-        cmocka_unit_test(test_read),
+        cmocka_unit_test(test_read),        cmocka_unit_test(test_summary),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

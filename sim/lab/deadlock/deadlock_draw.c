@@ -176,15 +176,17 @@ static void draw_labels(const struct canvas *c, const struct picture *p)
     free(labels.taken);
 }
 
-static char *summary_of(const struct waitfor *w)
+char *deadlock_draw_summary(const struct waitfor *w)
 {
-    uint32_t waiting = 0;
-    for (uint32_t i = 0; i < w->count; i++)
+    uint32_t waiting = 0, in_knot = 0;
+    for (uint32_t i = 0; i < w->count; i++) {
         waiting += w->nodes[i].state == WAITFOR_WAITS;
+        in_knot += w->nodes[i].cause == WAITFOR_KNOT;
+    }
     if (w->cycle_count)
         return xasprintf("%u of %u programs wait; a cycle of %u: each waits for the next", waiting, w->count,
                          w->cycle_count);
-    if (w->knot)
+    if (in_knot)
         return xasprintf("%u of %u programs wait; a knot: each for a message that any other could send",
                          waiting, w->count);
     return xasprintf("%u of %u programs wait; no cycle: what has a thick frame has a reason of its own",
@@ -196,7 +198,7 @@ static void draw_head(const struct canvas *c, const struct waitfor *w)
     const char *program = w->program ? w->program : "a program", *slash = strrchr(program, '/');
     char *what = xasprintf("%s \u00b7 at %s of %s", slash ? slash + 1 : program,
                            virtual_time_moment(w->now_ps).text, w->clock ? w->clock : "time");
-    char *summary = summary_of(w);
+    char *summary = deadlock_draw_summary(w);
     canvas_text(c, 24, 30, (struct text_style){17, INK, ANCHOR_LEFT, true}, "Deadlock: who waits for whom");
     canvas_text(c, 24, 48, (struct text_style){11.5, INK, ANCHOR_LEFT, false}, what);
     canvas_text(c, 24, 64, (struct text_style){10.5, GREY, ANCHOR_LEFT, false}, summary);

@@ -10,6 +10,9 @@
 bool deadlock_draw_file(const struct waitfor *w, const char *path, enum picture_kind kind, char **error);
 /* The picture as the text of an SVG, malloc'd. */
 char *deadlock_draw_svg(const struct waitfor *w);
+/* The sentence above the picture, malloc'd. It names a knot only where the report does: where no node has a
+ * reason of its own. */
+char *deadlock_draw_summary(const struct waitfor *w);
 /* The sentence below the picture, malloc'd: of each sign that the picture has, and of no other. */
 char *deadlock_draw_legend(const struct deadlock_graph *g);
 #endif
