@@ -285,10 +285,14 @@ def check_orders(b, s, canvas):
         t.scrollRows(3);
         const found = [trace.rows[0].name, painter.y(0, view), painter.rowAt(painter.layout.axis + 5, view), view.top,
             painter.rowAt(painter.layout.axis + 205, view)];
+        view.rowHeight = 2;
+        t.orderBy({});
+        const low = [painter.y(1, view) - painter.y(0, view), painter.y(2, view) - painter.y(1, view), painter.rowAt(painter.y(1, view), view)];
         view.rowHeight = 22;
         trace.rows[0].host = false;
         t.orderBy({hostsFirst: false});
-        return [...found, painter.layout.axis]""", canvas)
+        return [...found, painter.layout.axis, low]""", canvas)
+    rule("timeline: where rows are low, hosts on top are higher", places[6] == [12, 2, 1], places)
     rule("timeline: hosts stay on top", places[0] == "node 5" and places[1] == places[5] and places[2] == 0 and places[3] > 0
          and places[4] == 1 + int(places[3]), places)
 

@@ -5,6 +5,8 @@
 /* view: { from, to (ps), top (rows above, may be a fraction, without those that are pinned), rowHeight
  * (CSS pixels) }. layout: { width, height, left, axis, scale (device pixels for one) } in CSS pixels:
  * left: room for the names, axis: for the times. */
+const MOST_PINNED = 178; /* CSS pixels of pinned rows where rows are low: a third of the timeline */
+
 class TimelinePainter {
     constructor(trace, canvas) {
         this.trace = trace;
@@ -31,23 +33,38 @@ class TimelinePainter {
         const {left, width} = this.layout;
         return left + (time - view.from) / (view.to - view.from) * (width - left);
     }
-    /* Pinned rows stay below the axis. */
+    /* Pinned rows stay below the axis. Where rows are low, pinned ones are higher. */
     y(row, view) {
-        return this.layout.axis + (row < this.trace.pinned ? row : row - view.top) * view.rowHeight;
+        const {pinned} = this.trace, {axis} = this.layout;
+        return row < pinned ? axis + row * this.rowHeight(row, view)
+                            : axis + this.pinnedHeight(view) + (row - pinned - view.top) * view.rowHeight;
+    }
+    rowHeight(row, view) {
+        const {pinned} = this.trace;
+        return row < pinned ? Math.max(view.rowHeight, Math.min(12, MOST_PINNED / pinned)) : view.rowHeight;
+    }
+    pinnedHeight(view) {
+        return this.trace.pinned * this.rowHeight(0, view);
     }
     timeAt(x, view) {
         const {left, width} = this.layout;
         return view.from + (x - left) / (width - left) * (view.to - view.from);
     }
     rowAt(y, view) {
-        const row = (y - this.layout.axis) / view.rowHeight;
-        return Math.floor(row < this.trace.pinned ? row : row + view.top);
+        const below = y - this.layout.axis, under = below - this.pinnedHeight(view);
+        return under < 0 ? Math.floor(below / this.rowHeight(0, view))
+                         : Math.floor(this.trace.pinned + view.top + under / view.rowHeight);
+    }
+    /* With those that are pinned. */
+    rowsInView(view) {
+        const {height, axis} = this.layout;
+        return this.trace.pinned + (height - axis - this.pinnedHeight(view)) / view.rowHeight;
     }
     /* Besides those that are pinned. */
     visibleRows(view) {
         const first = this.trace.pinned + Math.max(0, Math.floor(view.top));
         const last = Math.min(this.trace.rows.length,
-            Math.ceil(view.top + (this.layout.height - this.layout.axis) / view.rowHeight));
+            Math.ceil(view.top + this.rowsInView(view)));
         return {first, last};
     }
     /* selected: { row, piece } or null; marks: calls that were found; messages: draw their arrows;
@@ -89,6 +106,7 @@ class TimelinePainter {
     paintRows(g, view, first, last) {
         const {left, width, scale} = this.layout;
         const columns = Math.max(1, Math.round((width - left) * scale)), rows = last - first;
+        const high = this.rowHeight(first, view);
         if (rows <= 0)
             return;
         if (!this.image || this.image.width !== columns || this.image.height !== rows) {
@@ -101,17 +119,17 @@ class TimelinePainter {
             this.fillRow(this.trace.rows[first + r], view, r * columns, columns);
         this.buffer.getContext('2d').putImageData(this.image, 0, 0);
         g.imageSmoothingEnabled = false;
-        g.drawImage(this.buffer, left, this.y(first, view), columns / scale, rows * view.rowHeight);
+        g.drawImage(this.buffer, left, this.y(first, view), columns / scale, rows * high);
         g.fillStyle = this.ground; /* outside of the run there is nothing */
         if (view.from < this.trace.start)
-            g.fillRect(left, this.y(first, view), this.x(this.trace.start, view) - left, rows * view.rowHeight);
+            g.fillRect(left, this.y(first, view), this.x(this.trace.start, view) - left, rows * high);
         if (view.to > this.trace.stop)
-            g.fillRect(this.x(this.trace.stop, view), this.y(first, view), width, rows * view.rowHeight);
-        if (view.rowHeight >= 6) {
+            g.fillRect(this.x(this.trace.stop, view), this.y(first, view), width, rows * high);
+        if (high >= 6) {
             g.fillStyle = this.ground;
             for (let r = first; r <= last; r++)
-                g.fillRect(left, this.y(r, view) - (view.rowHeight >= 12 ? 1 : 0.5), width - left,
-                    view.rowHeight >= 12 ? 2 : 1);
+                g.fillRect(left, this.y(r, view) - (high >= 12 ? 1 : 0.5), width - left,
+                    high >= 12 ? 2 : 1);
         }
     }
     /* Fills the pixels of a row from its pieces: the heart of the drawing. */
@@ -160,7 +178,8 @@ class TimelinePainter {
     }
     /* Names of calls, in pieces that are wide enough. */
     paintNames(g, view, first, last) {
-        if (view.rowHeight < 12)
+        const high = this.rowHeight(first, view);
+        if (high < 12)
             return;
         const c = this.trace.columns, least = 34;
         g.font = '11px system-ui, sans-serif';
@@ -172,7 +191,7 @@ class TimelinePainter {
                  i < end && n < 1500 && x < this.layout.width; i++, n++) {
                 const to = Math.min(this.x(this.trace.pieceEnd[i], view), this.layout.width);
                 if (to - x > least)
-                    this.paintName(g, x, to, this.y(r, view) + view.rowHeight / 2, i, c['piece.call'][i]);
+                    this.paintName(g, x, to, this.y(r, view) + high / 2, i, c['piece.call'][i]);
                 x = Math.max(x, to);
             }
         }
@@ -232,9 +251,9 @@ class TimelinePainter {
         const {fromRow, toRow, sentAt, overAt} = this.trace;
         if (fromRow[i] < 0 || toRow[i] < 0)
             return;
-        const half = view.rowHeight / 2, limit = x => Math.max(-1e5, Math.min(1e5, x));
-        const x1 = limit(this.x(sentAt[i], view)), y1 = this.y(fromRow[i], view) + half;
-        const x2 = limit(this.x(overAt[i], view)), y2 = this.y(toRow[i], view) + half;
+        const middle = row => this.y(row, view) + this.rowHeight(row, view) / 2, limit = x => Math.max(-1e5, Math.min(1e5, x));
+        const x1 = limit(this.x(sentAt[i], view)), y1 = middle(fromRow[i]);
+        const x2 = limit(this.x(overAt[i], view)), y2 = middle(toRow[i]);
         const length = Math.hypot(x2 - x1, y2 - y1) || 1, head = Math.min(7, length);
         const dx = (x2 - x1) / length, dy = (y2 - y1) / length;
         lines.moveTo(x1, y1);
@@ -253,7 +272,7 @@ class TimelinePainter {
             const s = path[i], to = this.x(s.to, view);
             if (s.row < 0 || (s.row === row && to - x < 0.5))
                 continue;
-            const y = this.y(s.row, view) + view.rowHeight * 0.8;
+            const y = this.y(s.row, view) + this.rowHeight(s.row, view) * 0.8;
             if (row === null)
                 g.moveTo(Math.max(-1e5, this.x(s.from, view)), y);
             else
@@ -276,7 +295,8 @@ class TimelinePainter {
               to = Math.min(this.x(this.trace.pieceEnd[i], view), this.layout.width);
         g.strokeStyle = this.ink;
         g.lineWidth = 2;
-        g.strokeRect(x, this.y(selected.row, view) + 1, Math.max(2, to - x), Math.max(2, view.rowHeight - 2));
+        const high = this.rowHeight(selected.row, view);
+        g.strokeRect(x, this.y(selected.row, view) + 1, Math.max(2, to - x), Math.max(2, high - 2));
     }
     /* An interval that was chosen: what is beside it fades. */
     paintSpan(g, view, span) {
@@ -333,14 +353,14 @@ class TimelinePainter {
         g.font = '11px system-ui, sans-serif';
         g.textAlign = 'right';
         g.textBaseline = 'middle';
-        const every = [1, 2, 4, 8, 16, 32, 64].find(n => n * view.rowHeight >= 12) || 128;
+        const every = r => [1, 2, 4, 8, 16, 32, 64].find(n => n * this.rowHeight(r, view) >= 12) || 128;
         const chosen = selected ? selected.row : -1, near = 11 / view.rowHeight, {pinned} = this.trace;
         const rows = [...d3.range(Math.min(pinned, first)), ...d3.range(first, last)];
         for (const r of rows) {
-            const y = this.y(r, view) + view.rowHeight / 2,
+            const y = this.y(r, view) + this.rowHeight(r, view) / 2,
                   hidden = chosen >= 0 && Math.abs(r - chosen) < near;
-            if (y < axis || (r >= pinned && y < axis + pinned * view.rowHeight) ||
-                (r !== chosen && (r % every || hidden)))
+            if (y < axis || (r >= pinned && y < axis + this.pinnedHeight(view)) ||
+                (r !== chosen && (r % every(r) || hidden)))
                 continue;
             g.fillStyle = r === chosen ? this.ink : this.soft;
             g.fillText(this.rowName(r), left - 10, Math.max(y, axis + 6)); /* whole, of the first row, too */

@@ -38,6 +38,10 @@ class Timeline {
             top: 0,
             rowHeight: shown > 267 ? Math.max(1, 534 / shown) : Math.min(22, Math.floor(534 / shown))
         };
+        this.canPin = trace.hosts > 0 && trace.hosts <= shown / 4;
+        /* Where rows are low, a few hosts begin pinned, as their rows are then higher (as in trace show's chart). */
+        this.order.hostsFirst = this.canPin && trace.hosts <= 16 && this.view.rowHeight < 12;
+        trace.orderBy(this.order.by, this.order.hostsFirst);
         this.messages = trace.messageCount > 0 && trace.messageCount <= 400;
         this.makeCanvas();
         this.makeControls();
@@ -78,9 +82,11 @@ class Timeline {
         this.followPointers();
     }
     resize(width) {
-        const rows = this.trace.rows.length * this.view.rowHeight + 26;
+        const {rows, pinned} = this.trace, {rowHeight} = this.view,
+              more = this.painter.pinnedHeight(this.view) - pinned * rowHeight;
+        const height = Math.min(Math.max(rows.length * rowHeight + 26, 120), 560) + more;
         this.painter.readColours();
-        this.painter.resize(width, Math.min(Math.max(rows, 120), 560), devicePixelRatio || 1);
+        this.painter.resize(width, height, devicePixelRatio || 1);
         this.draw();
     }
     /* Draws before the browser shows the next picture, once however often it is asked. */
@@ -137,8 +143,8 @@ class Timeline {
         if (row)
             this.selected.row = this.trace.rows.indexOf(row);
         this.placePath();
+        this.resize(this.plot.clientWidth);
         this.clampTop();
-        this.draw();
     }
     makeControls() {
         const range = text => element('input', {
@@ -170,13 +176,13 @@ class Timeline {
             choice('rows', rowSizes, this.view.rowHeight,
                 v => {
                     this.view.rowHeight = Number(v);
-                    this.clampTop();
                     this.resize(this.plot.clientWidth);
+                    this.clampTop();
                 }),
             choice('order', [['number', 'by number'], ['idle', 'the longest waiting first']], 'number',
                 by => this.orderBy({by})),
-            this.trace.hosts > 0 && this.trace.hosts <= this.trace.rows.length / 4
-                ? checkbox('hosts on top', false, on => this.orderBy({hostsFirst: on}))
+            this.canPin
+                ? checkbox('hosts on top', this.order.hostsFirst, on => this.orderBy({hostsFirst: on}))
                 : null,
             choice('colour by',
                 [['activity', 'activity'], ['call', 'call'], ['function', 'function']],
@@ -244,9 +250,8 @@ class Timeline {
         this.setRange(this.view.from + by, this.view.to + by);
     }
     clampTop() {
-        const rows = (this.painter.layout.height - this.painter.layout.axis) / this.view.rowHeight;
-        this.view.top =
-            Math.max(0, Math.min(this.view.top, this.trace.rows.length - rows)); /* pinned in both */
+        const rows = this.painter.rowsInView(this.view); /* pinned in both */
+        this.view.top = Math.max(0, Math.min(this.view.top, this.trace.rows.length - rows));
     }
     scrollRows(by) {
         this.view.top += by;
@@ -424,8 +429,7 @@ class Timeline {
         const r = this.trace.rows[row],
               from = piece === r.first ? this.trace.start : this.trace.pieceEnd[piece - 1],
               to = this.trace.pieceEnd[piece];
-        const span = this.view.to - this.view.from, {height, axis} = this.painter.layout,
-              rows = (height - axis) / this.view.rowHeight;
+        const span = this.view.to - this.view.from, rows = this.painter.rowsInView(this.view);
         if (to < this.view.from || from > this.view.to)
             this.setRange((from + to) / 2 - span / 2, (from + to) / 2 + span / 2);
         const {pinned} = this.trace;
