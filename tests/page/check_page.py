@@ -502,6 +502,9 @@ def check_nested(b):
         rendered = [float(line.split("opacity ")[1]) for line in file if "opacity" in line]
     rule("surfaces: those around others are seen through, as touchstone render draws them",
          len(shown) == 3 and all(abs(s - r) < 1e-3 for s, r in zip(shown, rendered)) and rendered[0] == 1 > rendered[1], (shown, rendered))
+    sides = b.run("return arguments[0].view.meshes.map(m => [m.far.visible, m.far.renderOrder, m.renderOrder, m.material.side])", canvas)
+    rule("surfaces: far sides are drawn before what is within them, near ones after it",
+         sides == [[False, 0, 0, 2], [True, -1, 1, 0], [True, -2, 2, 0]], sides)
     checked = b.run("return arguments[0].view.clearBoxes.map(c => c.checked)", canvas)
     rule("surfaces: and their boxes say so", checked == [False, True, True], checked)
     show(b, canvas)

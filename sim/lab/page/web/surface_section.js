@@ -11,6 +11,7 @@ function surfaceSummary(data) {
 
 const SLOW_PICTURE = 120;  /* ms */
 const COARSE_CELLS = 48;   /* along the longest side */
+const FRONT_SIDE = 0, BACK_SIDE = 1; /* of three.js, as numbers */
 const MOST_OPACITY = 0.35; /* of a surface that is seen through */
 
 function surfaceSection(surfaces) {
@@ -124,7 +125,11 @@ class SurfaceView {
             'normal', new THREE.BufferAttribute(split.normal || vertexNormals(split.place, split.corner), 3));
         if (split.colours)
             geometry.setAttribute('color', new THREE.BufferAttribute(split.colours, 3, true));
-        return new THREE.Mesh(geometry, surfaceMaterial(surfaceTone(i)));
+        const near = surfaceMaterial(surfaceTone(i)), mesh = new THREE.Mesh(geometry, near);
+        mesh.far = new THREE.Mesh(geometry, surfaceMaterial(surfaceTone(i)));
+        Object.assign(mesh.far.material, {uniforms: near.uniforms, side: BACK_SIDE});
+        mesh.far.visible = false;
+        return mesh.add(mesh.far);
     }
     resize(width) {
         this.width = width;
@@ -158,7 +163,7 @@ class SurfaceView {
     }
     render() {
         this.meshes.forEach((m, i) => {
-            m.geometry = this.coarse ? this.coarseOf(i) : this.whole[i];
+            m.geometry = m.far.geometry = this.coarse ? this.coarseOf(i) : this.whole[i];
         });
         this.setPixels(this.coarse ? 0.5 : 1);
         this.renderer.setClearColor(colour('panel'));
@@ -260,14 +265,18 @@ class SurfaceView {
         this.draw();
         return this.meshes[i].visible;
     }
+    /* Through a surface its far side is seen, which is drawn by itself: it is behind all that the surface is around. */
     seeThrough(i, on) {
-        const material = this.meshes[i].material;
-        Object.assign(material, {transparent: on, depthWrite: !on, needsUpdate: true});
+        const {material, far} = this.meshes[i];
+        for (const m of [material, far.material])
+            Object.assign(m, {transparent: on, depthWrite: !on, needsUpdate: true});
+        material.side = on ? FRONT_SIDE : THREE.DoubleSide;
         material.uniforms.opacity.value = on ? this.clear : 1;
+        far.visible = on;
         this.draw();
     }
     /* Surfaces around others are seen through; the more of them, the more so (lab/render/render_output.c).
-     * They are drawn after those within them, with which they blend. */
+     * Their near sides are drawn after what is within them, their far sides before, with which both blend. */
     outerClear() {
         const boxes = this.meshes.map(m => new THREE.Box3().setFromObject(m));
         const encloses = (a, b) => !b.isEmpty() && a.containsBox(b) && !a.equals(b);
@@ -275,14 +284,16 @@ class SurfaceView {
         this.clear = Math.min(MOST_OPACITY, 1 - 0.25 ** (1 / Math.max(1, within.filter(n => n).length)));
         within.forEach((n, i) => {
             this.meshes[i].renderOrder = n;
+            this.meshes[i].far.renderOrder = -n;
             if (n)
                 this.seeThrough(i, this.clearBoxes[i].checked = true);
         });
     }
     colourBy(what) {
         this.meshes.forEach(m => {
-            m.material.vertexColors = what === 'node' && Boolean(m.geometry.attributes.color);
-            m.material.needsUpdate = true;
+            const vertexColors = what === 'node' && Boolean(m.geometry.attributes.color);
+            for (const {material} of [m, m.far])
+                Object.assign(material, {vertexColors, needsUpdate: true});
         });
         this.draw();
     }

@@ -78,8 +78,7 @@ function surfaceMaterial(tone) {
         vertexShader: SURFACE_CORNER,
         fragmentShader: SURFACE_POINT,
         uniforms: {tone: {value: tone}, opacity: {value: 1}},
-        side: THREE.DoubleSide,
-        forceSinglePass: false /* through a layer its far side is seen */
+        side: THREE.DoubleSide
     });
 }
 
