@@ -265,7 +265,8 @@ class SurfaceView {
         this.draw();
         return this.meshes[i].visible;
     }
-    /* Through a surface its far side is seen, which is drawn by itself: it is behind all that the surface is around. */
+    /* Through a surface its far side is seen. It is drawn by itself, as it is behind all that the
+     * surface is around. */
     seeThrough(i, on) {
         const {material, far} = this.meshes[i];
         for (const m of [material, far.material])

@@ -251,7 +251,8 @@ class TimelinePainter {
         const {fromRow, toRow, sentAt, overAt} = this.trace;
         if (fromRow[i] < 0 || toRow[i] < 0)
             return;
-        const middle = row => this.y(row, view) + this.rowHeight(row, view) / 2, limit = x => Math.max(-1e5, Math.min(1e5, x));
+        const middle = row => this.y(row, view) + this.rowHeight(row, view) / 2;
+        const limit = x => Math.max(-1e5, Math.min(1e5, x));
         const x1 = limit(this.x(sentAt[i], view)), y1 = middle(fromRow[i]);
         const x2 = limit(this.x(overAt[i], view)), y2 = middle(toRow[i]);
         const length = Math.hypot(x2 - x1, y2 - y1) || 1, head = Math.min(7, length);

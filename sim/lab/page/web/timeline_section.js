@@ -39,7 +39,7 @@ class Timeline {
             rowHeight: shown > 267 ? Math.max(1, 534 / shown) : Math.min(22, Math.floor(534 / shown))
         };
         this.canPin = trace.hosts > 0 && trace.hosts <= shown / 4;
-        /* Where rows are low, a few hosts begin pinned, as their rows are then higher (as in trace show's chart). */
+        /* Where rows are low, a few hosts begin pinned: their rows are then higher (as in trace show). */
         this.order.hostsFirst = this.canPin && trace.hosts <= 16 && this.view.rowHeight < 12;
         trace.orderBy(this.order.by, this.order.hostsFirst);
         this.messages = trace.messageCount > 0 && trace.messageCount <= 400;
