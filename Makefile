@@ -18,8 +18,9 @@ SAN    ?=
 # The simulator itself is optimised as a whole (but with sanitizers), and more is inlined than GCC would: an event runs through
 # many small functions, of which each is called from a few places. Its objects are good for linking tests without that, too.
 LTO    ?= $(if $(findstring clang,$(CC)),,-flto=auto -ffat-lto-objects --param inline-unit-growth=225 --param max-inline-insns-auto=80 --param early-inlining-insns=20)
-# Still more where each event and each call of NX runs through.
-INLINE ?= --param max-inline-insns-auto=200 --param max-inline-insns-single=400 --param early-inlining-insns=40 --param inline-min-speedup=5
+# Still more where each event and each call of NX runs through, also ways that are the same up to a branch; loops are short there.
+# (`inline` on a function in those folders raises the limit for it.)
+INLINE ?= -ftracer -fno-tree-vectorize --param max-inline-insns-auto=200 --param max-inline-insns-single=400 --param early-inlining-insns=40 --param inline-min-speedup=5
 # Files get the same names wherever they are built: make reproducible.
 PREFIX_MAP = -ffile-prefix-map=$(CURDIR)=.
 AS_MAP     = -Wa,--debug-prefix-map=$(CURDIR)=. # GCC does not tell the assembler so if it is to optimise the whole
@@ -77,7 +78,7 @@ $B/obj/%.o: %.c $B/obj/flags
 $B/obj/sim/lab/%.o $B/obj/sim/cli/%.o $B/obj/sim/srm/%.o $B/obj/nx_api/driver/%.o $B/nxcc: LTO =
 
 # Each event, and each call of NX, runs through these.
-$(addprefix $B/obj/,$(addsuffix /%.o,sim/kernel sim/lp sim/net sim/os nx_api/calls nx_api/sim nx_api/contract) sim/machine/endpoints.o sim/machine/history.o): LTO := $(if $(LTO),$(LTO) $(INLINE))
+$(addprefix $B/obj/,$(addsuffix /%.o,sim/kernel sim/lp sim/net sim/os nx_api/calls nx_api/sim nx_api/contract mpi_api/core) sim/machine/endpoints.o sim/machine/history.o): LTO := $(if $(LTO),$(LTO) $(INLINE))
 
 # Events run through these only in runs that ask for it: inlined, they would take registers where all messages pass.
 $(addprefix $B/obj/sim/,net/protocol_record.o net/protocol_number.o lp/roll_back.o os/end.o os/fail.o notes/%.o profile/%.o replay/%.o): LTO =

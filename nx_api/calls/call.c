@@ -163,7 +163,7 @@ static void leave(struct node *n)
 }
 
 /* NAME: an error ends the process. */
-long nx_plain(struct node *n, long result)
+inline long nx_plain(struct node *n, long result)
 {
     if (result < 0)
         node_fail(n, "%s: %s", n->call.name, nx_last_error(n)->text);

@@ -105,7 +105,7 @@ bool nx_goes_at_once(const struct node *n, const struct outgoing *o)
            !n->handlers.armed;
 }
 
-void nx_send(struct node *n, const struct outgoing *o, struct send *s)
+inline void nx_send(struct node *n, const struct outgoing *o, struct send *s)
 {
     struct protocol *p = n->sys->schedule.protocol;
     bool all = o->node == ALL_NODES;

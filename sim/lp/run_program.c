@@ -34,7 +34,7 @@ void lp_run_here(struct lp *lp)
         workers_submit(lp->schedule->workers, &lp->offload.task);
 }
 
-void lp_run_on(struct lp *lp)
+inline void lp_run_on(struct lp *lp)
 {
     if (lp->schedule->loads_ahead)
         prefetch_coming(lp->schedule);

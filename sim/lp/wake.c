@@ -23,7 +23,7 @@ void lp_wake(struct lp *lp, vtime t)
     evq_put_late(lp->schedule->q, t, lp->address, lp_woken, lp, NULL);
 }
 
-void lp_notify(struct lp *lp, vtime t)
+inline void lp_notify(struct lp *lp, vtime t)
 {
     lp_apply_deferred(lp, lp->schedule->reached);
     lp_unblock_lazily(lp);

@@ -111,7 +111,7 @@ void protocol_take_back(struct message *m)
 }
 
 /* The receiver of m forwards it along the tree, from `when` on; returns when the receiver has done so. */
-static vtime forward(struct protocol *p, struct message *m, vtime when)
+static inline vtime forward(struct protocol *p, struct message *m, vtime when)
 {
     for (struct message *o = m->trip->forward, *next; o; o = next) {
         next = o->next;
@@ -220,7 +220,7 @@ static inline __attribute__((always_inline)) void complete(struct protocol *p, s
     endpoint_arrived(p->ends, m, now);
 }
 
-static void whole_message(struct protocol *p, struct message *m, vtime now)
+static inline void whole_message(struct protocol *p, struct message *m, vtime now)
 {
     vtime system = m->bytes <= p->cfg->short_limit ? p->cfg->short_receive_ps : p->cfg->forced_receive_ps;
     if (endpoint_envelope(p->ends, m, now)) {

@@ -24,7 +24,7 @@ static vtime link_time(const struct protocol *p, const struct message *m)
     return is_hosts(p, m) ? p->cfg->host.link_ps : 0;
 }
 
-vtime protocol_latency(const struct protocol *p, const struct message *m)
+__attribute__((noinline)) vtime protocol_latency(const struct protocol *p, const struct message *m)
 {
     return link_time(p, m) + hops_time(p, m, p->cfg->long_hop_ps);
 }

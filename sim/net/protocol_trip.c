@@ -77,7 +77,7 @@ static bool comes_at_once(const struct protocol *p, const struct trip *t)
     return t->transit.duration == protocol_latency(p, t->m);
 }
 
-void protocol_trip_started(void *ctx, struct channel_transit *transit, vtime now)
+inline void protocol_trip_started(void *ctx, struct channel_transit *transit, vtime now)
 {
     struct protocol *p = ctx;
     struct trip *t = trip_of(transit);
@@ -95,7 +95,7 @@ void protocol_trip_started(void *ctx, struct channel_transit *transit, vtime now
         evq_put(p->q, first_byte, transit->to, pio_receive, p, t->m);
 }
 
-void protocol_trip_done(void *ctx, struct channel_transit *transit, vtime now)
+inline void protocol_trip_done(void *ctx, struct channel_transit *transit, vtime now)
 {
     struct protocol *p = ctx;
     struct trip *t = trip_of(transit);

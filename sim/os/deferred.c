@@ -150,7 +150,7 @@ void deferred_spend(struct node *n, vtime t)
     account(n, NODE_CALL, t);
 }
 
-static void put_cold(struct node *n, struct message *m)
+static __attribute__((noinline)) void put_cold(struct node *n, struct message *m)
 {
     uint32_t i = index_of(n, n->deferred.count - 1);
     cold_of(n)->message[i] = m;

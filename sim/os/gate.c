@@ -82,7 +82,7 @@ static void commit_at_once(struct node *n)
     node_memory_settle(n);
 }
 
-void node_enter_early(struct node *n, const char *call)
+inline void node_enter_early(struct node *n, const char *call)
 {
     begin_call(n, call, true);
     if (!may_defer(n))

@@ -21,7 +21,7 @@ struct mailbox_ids *mailbox_ids(const struct node *n)
     return (struct mailbox_ids *)&n->mailbox.ids;
 }
 
-void mailbox_post(struct node *n, struct receive *r)
+inline void mailbox_post(struct node *n, struct receive *r)
 {
     ANNOUNCE(n, posts, r);
     if (IS_HEARD(n, posts_special) && (r->select.type < 0 || r->select.node >= 0 || r->handler))
@@ -43,7 +43,7 @@ bool mailbox_complete(struct node *n, const struct receive *r)
     return true;
 }
 
-long mailbox_take(struct node *n, struct receive *r)
+inline long mailbox_take(struct node *n, struct receive *r)
 {
     struct message *m = r->m;
     m->too_long = !matching_fits(r);

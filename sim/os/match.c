@@ -65,7 +65,7 @@ static bool room_for(struct node *n, const struct message *m)
 }
 
 /* Room has become free: clears the messages that wait for room to send, in the order of their requests. */
-static void grant_waiting(struct node *n, vtime now)
+static inline void grant_waiting(struct node *n, vtime now)
 {
     for (struct message *m = n->unexpected.coming; m && n->mailbox.waiting; m = m->next) {
         if (!m->is_long || m->cleared || m->held)
@@ -187,7 +187,7 @@ vtime match_send_late(const struct node *n)
     return __builtin_expect(t != NULL, 0) ? timing_next_message(t, node_timed(n)) : 0;
 }
 
-vtime match_send(struct node *n, struct message *first, vtime now)
+inline vtime match_send(struct node *n, struct message *first, vtime now)
 {
     vtime begun = now, late = match_send_late(n);
     ANNOUNCE(n, hands_over, first, now + match_send_time(n, first), late);
@@ -248,7 +248,7 @@ vtime match_copying(const struct node *n, const struct message *m)
     return m->buffered && !m->too_long ? m->bytes * n->sys->cfg->copy_ps_per_byte : 0;
 }
 
-void match_done_with(struct node *n, struct message *m, vtime now)
+inline void match_done_with(struct node *n, struct message *m, vtime now)
 {
     charge_in_kernel(n, now);
     unbuffer(n, m, now);

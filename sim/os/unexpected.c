@@ -132,7 +132,7 @@ void unexpected_add(struct node *n, struct message *m)
 }
 
 /* Makes whole the messages that m has an order with, m among them, up to the first that has not arrived. */
-void unexpected_has_arrived(struct node *n, const struct message *m)
+inline void unexpected_has_arrived(struct node *n, const struct message *m)
 {
     struct message **link = of_same_order(&n->unexpected.coming, m);
     while (*link && (*link)->arrived) {
