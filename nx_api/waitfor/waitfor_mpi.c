@@ -127,8 +127,8 @@ const char *waitfor_mpi_remedy(const struct waitfor_node *n)
     if (waitfor_is_collective(n->select.pid) && n->cause == WAITFOR_BEHIND)
         return NULL; /* the ranks that it is behind have one */
     if (waitfor_is_collective(n->select.pid))
-        return "All ranks of a communicator have to call its collectives, in the same order: touchstone run "
-               "--mpi-checks names those that differ.";
+        return "All ranks of a communicator have to call its collectives, in the same order (run "
+               "--mpi-checks names those that differ).";
     switch (n->cause) {
     case WAITFOR_WRONG_TYPE:
     case WAITFOR_WRONG_NODE:

@@ -329,16 +329,24 @@ static int status_of(const struct machine *m, const struct race_reports *races)
     return m->outcome == MACHINE_DEADLOCK ? 2 : 1;
 }
 
+static bool print_mpi_checks(const struct machine *m)
+{
+    return mpi_checks_print(m->sys.mpi_checks, "touchstone run: ", stderr);
+}
+
 static int report(const struct machine *m, const struct race_reports *races, const struct arguments *a)
 {
     int status = status_of(m, races);
     char *lost = flushed(stdout) ? NULL : cannot_write("standard output");
+    bool found = m->outcome == MACHINE_DEADLOCK && print_mpi_checks(m); /* they may say why */
     if (m->message && !m->said)
         cli_say_error("run", "%s", m->message);
     if (!a->quiet)
         summary_print(m, races, a->verbose, stderr);
     race_print(races, stderr);
-    if (mpi_checks_print(m->sys.mpi_checks, "touchstone run: ", stderr) && !status)
+    if (m->outcome != MACHINE_DEADLOCK)
+        found = print_mpi_checks(m);
+    if (found && !status)
         status = EXIT_FINDINGS;
     char *error = a->json ? summary_json(m, races, a->json) : NULL;
     if (!error && a->deadlock)

@@ -115,6 +115,9 @@ op|operations differ|MPI_SUM on node 0, MPI_MAX on node 1
 type|datatypes differ|integers on node 0, reals on node 1
 call|collectives differ|node 1 calls MPI_Barrier, node 0 MPI_Bcast
 END
+run -q -n 8 --mpi-checks unfit stuck
+check "what does not fit is told before the deadlock that it leads to" \
+    [ "$(sed -n '1,2s/^touchstone run: \([a-zA-Z]*\):.*/\1/p' err | tr '\n' ' ')" = "MPI deadlock " ]
 run -q -n 3 --mpi-checks unfit count
 check "count: what differs" told "MPI: counts or datatypes differ: MPI_Bcast at" "16 bytes on node 0, 32 on node 1"
 run -q -n 3 --mpi-checks unfit caller

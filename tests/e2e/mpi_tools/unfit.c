@@ -15,6 +15,10 @@ int main(int argc, char **argv)
     const char *how = argv[1];
     if (strcmp(how, "root") == 0)
         MPI_Bcast(&x, 1, MPI_INT, rank == 1, MPI_COMM_WORLD);
+    if (strcmp(how, "stuck") == 0) {
+        MPI_Bcast(&x, 1, MPI_INT, rank == 3, MPI_COMM_WORLD);
+        MPI_Barrier(MPI_COMM_WORLD);
+    }
     if (strcmp(how, "op") == 0)
         MPI_Allreduce(&x, y, 1, MPI_INT, rank == 1 ? MPI_MAX : MPI_SUM, MPI_COMM_WORLD);
     if (strcmp(how, "count") == 0)
