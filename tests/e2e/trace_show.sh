@@ -110,6 +110,10 @@ show gantt -o x.webp ring.trace
 check "nor a chart a WebP" is_error 64 'OUT.png or OUT.svg'
 show matrix --than ring.trace faster.trace
 check "a matrix has no time" is_error 64 "than draws gantt, space-time and utilisation, not 'matrix'"
+show gantt --scale 5% ring.trace
+check "a chart's colours have no scale" is_error 64 "--scale with a share is for channels and film, not for 'gantt'"
+show space-time --by bytes ring.trace
+check "nor does space-time count bytes" is_error 64 "--by is for matrix and queues, not for 'space-time'"
 show --than missing.trace ring.trace
 check "another trace that is not there" is_error 65 'missing.trace cannot be read'
 show --than ring.trace --nodes 4-7 faster.trace

@@ -16,6 +16,18 @@
 #include "nx_api/contract/edit_distance.h"
 
 enum { BY = CLI_KEY, MESSAGES, SCALE, FRAMES, SVG, THAN };
+
+/* Options that only some displays obey. */
+enum { BY_WHAT, HOW_MANY, SHARES_END, AMOUNTS_END, FRAME_COUNT, DISPLAY_OPTIONS };
+static const struct {
+    const char *option, *displays[2];
+} OBEYED_BY[DISPLAY_OPTIONS] = {
+    [BY_WHAT] = {"--by", {"matrix", "queues"}},
+    [HOW_MANY] = {"--messages", {"space-time"}},
+    [SHARES_END] = {"--scale with a share", {"channels", "film"}},
+    [AMOUNTS_END] = {"--scale with a number", {"matrix"}},
+    [FRAME_COUNT] = {"--frames", {"film"}},
+};
 enum { DEFAULT_FRAMES = 60, MOST_FRAMES = 1000, MOST_LINES = 1000000 };
 
 /* A run to be drawn. */
@@ -30,6 +42,7 @@ struct arguments {
     size_t name_count;
     const char *output;
     bool svg, list;
+    bool given[DISPLAY_OPTIONS];
     struct trace_selection select;
     const struct display **displays;
     size_t display_count;
@@ -137,6 +150,25 @@ static void check_output(struct argp_state *state, const struct arguments *a)
         argp_error(state, "pictures are PNG or SVG: -o OUT.png, OUT.svg or a folder, not '%s'", a->output);
 }
 
+static bool is_obeyed(const struct arguments *a, int option)
+{
+    for (size_t i = 0; i < a->display_count; i++)
+        for (int d = 0; d < 2 && OBEYED_BY[option].displays[d]; d++)
+            if (!strcmp(a->displays[i]->name, OBEYED_BY[option].displays[d]))
+                return true;
+    return false;
+}
+
+static void check_options(struct argp_state *state, const struct arguments *a)
+{
+    for (int o = 0; o < DISPLAY_OPTIONS; o++) {
+        const char *const *d = OBEYED_BY[o].displays;
+        if (a->given[o] && !is_obeyed(a, o))
+            argp_error(state, "%s is for %s%s%s, not for '%s'", OBEYED_BY[o].option, d[0],
+                       d[1] ? " and " : "", d[1] ? d[1] : "", a->displays[0]->name);
+    }
+}
+
 static void understand(struct argp_state *state, struct arguments *a)
 {
     if (a->name_count == 1 && !strcmp(a->names[0], "list")) {
@@ -150,17 +182,20 @@ static void understand(struct argp_state *state, struct arguments *a)
         take_display(state, a, a->names[i]);
     if (!a->display_count)
         add_display(a, display_find("gantt"));
+    check_options(state, a);
     check_output(state, a);
 }
 
 /* "5%" ends the scale of shares, "1000" that of amounts. */
-static void set_scale(struct argp_state *state, struct show *s, const char *arg)
+static void set_scale(struct argp_state *state, struct arguments *a, const char *arg)
 {
+    struct show *s = &a->run.show;
     char *end;
     double value = strtod(arg, &end);
     bool share = strcmp(end, "%") == 0;
     if (end == arg || (*end && !share) || !(value > 0) || value > (share ? 100 : 1e18))
         argp_error(state, "--scale takes a share such as 5%%, or a number such as 1000, not '%s'", arg);
+    a->given[share ? SHARES_END : AMOUNTS_END] = true;
     *(share ? &s->most_share : &s->most_amount) = share ? value / 100 : value;
 }
 
@@ -179,14 +214,17 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     } else if (key == BY) {
         if (strcmp(arg, "messages") && strcmp(arg, "bytes"))
             argp_error(state, "--by takes messages or bytes, not '%s'", arg);
+        a->given[BY_WHAT] = true;
         a->run.show.by_bytes = !strcmp(arg, "bytes");
     } else if (key == MESSAGES) {
+        a->given[HOW_MANY] = true;
         a->run.show.most_lines = cli_whole(state, "--messages", "a number of messages", MOST_LINES, arg);
     } else if (key == SCALE) {
-        set_scale(state, &a->run.show, arg);
+        set_scale(state, a, arg);
     } else if (key == THAN) {
         a->other.path = arg;
     } else if (key == FRAMES) {
+        a->given[FRAME_COUNT] = true;
         a->run.show.frames = cli_whole(state, "--frames", "a number of pictures", MOST_FRAMES, arg);
     } else if (key == ARGP_KEY_END) {
         understand(state, a);
