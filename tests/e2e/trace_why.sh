@@ -217,6 +217,25 @@ why --rerun many.trace
 check "--rerun: the program has changed: exit status" ended_with 65
 check "--rerun: it says so" said 'takes [0-9.]+ s now, not [0-9.]+ s: the program, its input or the machine file has changed'
 cp before served
+cat >goes_on.c <<'END'
+#include <stdio.h>
+int main(void)
+{
+    FILE *again = fopen("again", "r");
+    for (volatile double x = 0; again; x++)
+        if (x == 1e6)
+            fclose(fopen("begun", "w"));
+}
+END
+"$BUILD/nxcc" -O2 -o goes_on goes_on.c 2>compile.err
+run -q --trace goes_on.trace goes_on
+touch again
+setsid env --default-signal=INT "$BUILD/touchstone" trace why --rerun goes_on.trace >out 2>err </dev/null &
+awaited test -e begun
+kill -INT -$!
+wait $!
+status=$?
+check "Ctrl-C while it runs again: its status is the signal's" ended_with 130
 mkdir files && traced -m ipsc860 -n 4 --cfs files served && echo mine >files/served
 why --cpu 3 t.trace
 check "--rerun: the files of /cfs stay as they are" eval "[ \$status = 0 ] && echo mine | cmp - files/served"

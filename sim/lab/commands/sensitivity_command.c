@@ -124,7 +124,8 @@ static int run_all(struct work *w)
             cli_say_warning("run", "--sensitivity needs a run that ends well");
     } else if (!rerun_time(w->json, &end, &error) ||
                !sensitivity_run(w->sensitivity, &w->place, end, &error)) {
-        status = failed(error, CLI_EXIT_INPUT);
+        int stopped = w->sensitivity->runs.stopped;
+        status = failed(error, stopped ? 128 + stopped : CLI_EXIT_INPUT);
     } else {
         sensitivity_print(w->sensitivity, name_of(w), w->again.cfg->name, stderr);
     }

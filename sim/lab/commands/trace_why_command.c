@@ -69,11 +69,12 @@ static const char DOC[] =
     "show; where several may have worked, all are named: 'force or main'. Where a handler interrupts the "
     "program, it counts for the function that is interrupted.\n\n"
     "Exit status:\n"
-    "  0   done\n"
-    "  64  wrong arguments\n"
-    "  65  a trace cannot be used, or its command cannot be run again; or a re-run\n"
-    "      failed: its row has no answer\n"
-    "  74  the result cannot be written\n\n"
+    "  0    done\n"
+    "  64   wrong arguments\n"
+    "  65   a trace cannot be used, or its command cannot be run again; or a re-run\n"
+    "       failed: its row has no answer\n"
+    "  74   the result cannot be written\n"
+    "  128  and more: a re-run was stopped by the signal of that number less 128\n\n"
     "Example:\n"
     "  touchstone run -m delta -n 128 --trace slow.trace app/model -group 128\n"
     "  touchstone trace why slow.trace\n"
@@ -148,7 +149,7 @@ static int run_again(const struct arguments *a, const struct trace *t, struct re
                               .progress = stderr};
     bool ok = rerun_all(t, &o, r, &error);
     run_again_free(&again);
-    return ok ? 0 : failed(error, CLI_EXIT_INPUT);
+    return ok ? 0 : failed(error, r->stopped ? 128 + r->stopped : CLI_EXIT_INPUT);
 }
 
 static bool write_text(const struct arguments *a, struct why *w, const struct why_report_options *o,

@@ -136,7 +136,8 @@ static bool make_folders(const struct rerun_place *p, const struct child *childr
     return true;
 }
 
-static bool run(const struct rerun_place *p, struct rerun *list, const struct child *children, size_t count)
+/* Returns the signal that has stopped them; 0: none. */
+static int run(const struct rerun_place *p, struct rerun *list, const struct child *children, size_t count)
 {
     struct pool_job *jobs = xcalloc(count, sizeof *jobs);
     struct progress progress = {0};
@@ -155,7 +156,7 @@ static bool run(const struct rerun_place *p, struct rerun *list, const struct ch
         take_result(&list[i], &jobs[i], children[i].json);
     pool_clear(jobs, count);
     free(jobs);
-    return !end.stopped;
+    return end.stopped;
 }
 
 bool rerun_some(const struct rerun_place *p, struct reruns *r, size_t first, size_t count, char **error)
@@ -163,9 +164,11 @@ bool rerun_some(const struct rerun_place *p, struct reruns *r, size_t first, siz
     struct child *children = xcalloc(count, sizeof *children);
     for (size_t i = 0; i < count; i++)
         children[i] = child_of(p, &r->list[first + i], first + i);
-    bool ok = make_folders(p, children, count, error) && run(p, &r->list[first], children, count);
-    if (!ok && !*error)
+    bool ok = make_folders(p, children, count, error);
+    if (ok && (r->stopped = run(p, &r->list[first], children, count))) {
         *error = xstrdup("stopped");
+        ok = false;
+    }
     for (size_t i = 0; i < count; i++)
         free_child(&children[i]);
     free(children);

@@ -31,6 +31,7 @@ struct rerun {
 struct reruns {
     struct rerun *list;
     size_t count;
+    int stopped; /* the signal that ended them before their end; 0: none */
 };
 
 struct rerun_place {
