@@ -192,13 +192,13 @@ static void one_point_is_no_points(void **state)
     static const char one[] =
         "{ \"title\": \"T\", \"about\": \"\", \"program\": \"p\", \"baseline\": \"nodes 4\","
         "  \"axes\": { \"nodes\": [4] }, \"points\": ["
-        "  { \"nodes\": 4, \"failure\": null, \"time_s\": 8.0 } ] }\n";
+        "  { \"nodes\": 4, \"failure\": null, \"time_s\": 8.0, \"idle_pct\": 12.5 } ] }\n";
     char *text = page_of_results(one, "time_s", "nodes", "", "");
     says(text, "p at 1 point: 1 value of nodes.\n");
     free(text);
     text = page_of_results(one, "", "nodes", "", ""); /* as a study has it: no picture */
-    says(text,
-         "1 value of nodes.\n\nNo axis has several numbers, so there are no pictures. Each point's figures");
+    says(text, "1 value of nodes.\n\nTime: 8.000 s. Idle: 12.5 % of all nodes' time.\n\n"
+               "No axis has several values, so there is no picture.");
     free(text);
 }
 

@@ -5,6 +5,7 @@
  */
 #include "lab/chart/findings.h"
 #include "files/atomic_file.h"
+#include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 #include "lab/chart/chart_data.h"
 #include "lab/jobs/words.h"
@@ -430,6 +431,21 @@ static bool write_picture(const struct record_points *points, const struct pictu
     return ok;
 }
 
+/* What the only point took: a study of one has no picture. */
+static bool say_point(void *arg, const json_t *point, char **error)
+{
+    FILE *out = arg;
+    (void)error;
+    if (json_is_string(json_object_get(point, "failure")))
+        return true;
+    const json_t *idle = json_object_get(point, "idle_pct");
+    fprintf(out, "\nTime: %s.", duration_text(json_number_value(json_object_get(point, "time_s"))).text);
+    if (idle)
+        fprintf(out, " Idle: %.4g %% of all nodes' time.", json_number_value(idle));
+    fputc('\n', out);
+    return true;
+}
+
 bool findings_write(const struct record_points *points, const struct picture *list, size_t count,
                     const char *dir, char **error)
 {
@@ -440,10 +456,11 @@ bool findings_write(const struct record_points *points, const struct picture *li
     if (!begun)
         return false;
     bool ok = write_head(points, d.out, error);
-    if (!count)
-        fputs("\nNo axis has several numbers, so there are no pictures. "
-              "Each point's figures are in results.csv.\n",
+    if (ok && !count) {
+        ok = points->each(points->arg, say_point, d.out, error);
+        fputs("\nNo axis has several values, so there is no picture. All figures are in results.csv.\n",
               d.out);
+    }
     for (size_t i = 0; ok && i < count; i++)
         ok = write_picture(points, &list[i], d.out, error);
     if (ok)
