@@ -39,11 +39,12 @@ class Error(Exception):
 # --- tables ---------------------------------------------------------------------------------------------------------
 
 
-MOST_ROWS = 20  # of a table, at the prompt
+MOST_ROWS, MOST_WIDTH = 20, 50  # of a table, at the prompt
 
 
 def _shown(value):
-    return f"{value:.6g}" if isinstance(value, float) else str(value)
+    text = f"{value:.6g}" if isinstance(value, float) else str(value)
+    return text if len(text) <= MOST_WIDTH else text[: MOST_WIDTH - 3] + "..."
 
 
 class Table(list):
