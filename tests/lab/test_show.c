@@ -546,6 +546,9 @@ static void scales_are_round(void **state)
     struct heat given = heat_given(0.1, false), counts = heat_given(1000, true);
     assert_int_equal(heat_level(&given, 0.049), PALETTE_LEVELS / 2 - 1);
     assert_int_equal(heat_level(&counts, 1), 0);
+    assert_text("10 % or more", heat_label(&given, 0.1, HEAT_PERCENT));
+    assert_text("5 %", heat_label(&given, 0.05, HEAT_PERCENT));
+    assert_text("100", heat_label(&h, 100, HEAT_NUMBER));
     assert_int_equal(heat_level(&counts, 5000), PALETTE_LEVELS - 1);
 }
 

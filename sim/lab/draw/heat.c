@@ -13,7 +13,7 @@ enum {
 
 struct heat heat_linear(double most)
 {
-    return (struct heat){0, axis_end(most), false};
+    return (struct heat){.most = axis_end(most)};
 }
 
 struct heat heat_scale(double least, double most)
@@ -22,12 +22,13 @@ struct heat heat_scale(double least, double most)
         return heat_linear(0);
     if (most / least < FAR_APART)
         return heat_linear(most);
-    return (struct heat){pow(10, floor(log10(least))), axis_end(most), true};
+    return (struct heat){.least = pow(10, floor(log10(least))), .most = axis_end(most), .logarithmic = true};
 }
 
 struct heat heat_given(double end, bool logarithmic)
 {
-    return (struct heat){logarithmic ? 1 : 0, end, logarithmic};
+    return (struct heat){
+        .least = logarithmic ? 1 : 0, .most = end, .logarithmic = logarithmic, .given = true};
 }
 
 int heat_level(const struct heat *h, double amount)
@@ -80,6 +81,16 @@ char *heat_text(double amount, enum heat_unit unit)
     return unit == HEAT_PERCENT ? axis_percent_text(amount) : axis_number_text(amount, unit == HEAT_BYTES);
 }
 
+char *heat_label(const struct heat *h, double amount, enum heat_unit unit)
+{
+    char *number = heat_text(amount, unit);
+    if (!h->given || amount < h->most)
+        return number;
+    char *label = xasprintf("%s or more", number);
+    free(number);
+    return label;
+}
+
 static void tick(const struct canvas *c, struct plot p, const struct heat *h, double amount,
                  enum heat_unit unit)
 {
@@ -87,7 +98,7 @@ static void tick(const struct canvas *c, struct plot p, const struct heat *h, do
     double at = h->logarithmic ? log(amount / h->least) / log(h->most / h->least)
                                : (amount - h->least) / (h->most - h->least);
     double y = p.y + p.h * (1 - at);
-    char *text = heat_text(amount, unit);
+    char *text = heat_label(h, amount, unit);
     canvas_line(c, p.x + 14, y, p.x + 18, y, 1, INK);
     canvas_text(c, p.x + 21, y + 3.5, style, text);
     free(text);
@@ -104,9 +115,9 @@ void heat_bar(const struct canvas *c, struct plot p, const struct heat *h, enum 
     canvas_text(c, p.x, p.y - 10, (struct text_style){10.5, INK, ANCHOR_LEFT, false}, title);
     int steps = (int)fmin(MOST_STEPS, fmax(1, p.h / LABELS_APART));
     double step = unit == HEAT_PERCENT ? axis_step(h->most, steps) : axis_count_step(h->most, steps);
-    if (h->logarithmic && h->most > 2 * pow(10, floor(log10(h->most))))
+    if (h->given || (h->logarithmic && h->most > 2 * pow(10, floor(log10(h->most)))))
         tick(c, p, h, h->most, unit);
-    for (double v = h->logarithmic ? h->least : 0; v <= h->most * (1 + 1e-9);
-         v = h->logarithmic ? v * 10 : v + step)
+    double last = !h->given ? h->most * (1 + 1e-9) : h->logarithmic ? h->most / 2 : h->most - step / 2;
+    for (double v = h->logarithmic ? h->least : 0; v <= last; v = h->logarithmic ? v * 10 : v + step)
         tick(c, p, h, v, unit);
 }

@@ -10,6 +10,7 @@ enum { HEAT_NONE = -1 }; /* the level of 0: nothing is drawn */
 struct heat {
     double least, most; /* of the scale; amounts outside have its end's colour */
     bool logarithmic;   /* least > 0 */
+    bool given;         /* the end is not that of the amounts: its label says "or more" */
 };
 
 /* The scale of amounts from 0 to most, most rounded up. */
@@ -33,4 +34,6 @@ void heat_bar(const struct canvas *c, struct plot p, const struct heat *h, enum 
               const char *title);
 /* "12 %", "3.5 kB", "17": malloc'd. */
 char *heat_text(double amount, enum heat_unit unit);
+/* An amount beside the bar: as heat_text(), or "17 or more" at the end of a given scale. malloc'd. */
+char *heat_label(const struct heat *h, double amount, enum heat_unit unit);
 #endif
