@@ -151,7 +151,8 @@ struct waitfor_node {
     const char *operation; /* the global operation it is in, "gsync"; NULL: none */
     enum waitfor_who who;
     uint32_t whom;
-    bool in_cycle; /* w->cycle */
+    bool in_cycle;  /* w->cycle */
+    bool in_circle; /* that one or another in which each waits for one node */
     enum waitfor_cause cause;
     const char
         *why; /* for people: what it waits for, what is here, in what that differs; lines of sentences */
@@ -170,7 +171,8 @@ struct waitfor {
     bool analysed;
     uint32_t *cycle; /* a shortest cycle: each waits for the next, the last for the first. NULL: none */
     uint32_t cycle_count;
-    bool knot; /* no cycle is there, but all that wait are a knot */
+    uint32_t circles; /* how many cycles are there in which each waits for one node */
+    bool knot;        /* no cycle is there, but all that wait are a knot */
     struct waitfor_window {
         long context;
         const char *name; /* NULL: none */

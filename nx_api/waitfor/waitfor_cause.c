@@ -150,7 +150,7 @@ static enum waitfor_cause local_cause(const struct waitfor *w, const struct wait
 
 static enum waitfor_cause graph_cause(const struct waitfor_node *n, bool knot)
 {
-    if (n->in_cycle)
+    if (n->in_cycle || n->in_circle)
         return WAITFOR_CYCLE;
     if (n->who == WAITFOR_ONE_NODE || n->who == WAITFOR_ALL_NODES || n->what == WAITFOR_FILE)
         return WAITFOR_BEHIND;

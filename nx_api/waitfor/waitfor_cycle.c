@@ -25,14 +25,18 @@ static bool waits(const struct waitfor *w, uint32_t i)
 /* The cycle that begins and ends at a node, one of whom[] each. */
 static void keep_circle(struct waitfor *w, uint32_t from)
 {
-    uint32_t count = 1;
-    for (uint32_t i = w->nodes[from].whom; i != from; i = w->nodes[i].whom)
+    uint32_t count = 0, i = from;
+    do {
+        w->nodes[i].in_circle = true;
+        i = w->nodes[i].whom;
         count++;
+    } while (i != from);
+    w->circles++;
     if (w->cycle && count >= w->cycle_count)
         return;
     w->cycle = waitfor_grow(w->cycle, count, sizeof *w->cycle);
     w->cycle_count = count;
-    for (uint32_t k = 0, i = from; k < count; k++, i = w->nodes[i].whom)
+    for (uint32_t k = 0; k < count; k++, i = w->nodes[i].whom)
         w->cycle[k] = i;
 }
 

@@ -458,7 +458,7 @@ static const char *remedy(const struct waitfor *w, const struct waitfor_node *n)
     if (n->cause == WAITFOR_MASKED)
         return n->masked ? "masktrap(0) before this call lets the handlers run."
                          : "Handlers do not run inside of handlers: wait outside.";
-    if (n->cause == WAITFOR_CYCLE && is_of_operations(w))
+    if (n->cause == WAITFOR_CYCLE && n->operation && is_of_operations(w))
         return "All nodes have to call the global operations in the same order.";
     if (n->cause == WAITFOR_CYCLE && n->what == WAITFOR_END)
         return "One of the cycle has to end, or to send, without waiting for the others.";

@@ -241,7 +241,7 @@ static void print_head(FILE *f, const struct waitfor *w)
     if (w->cycle) {
         fputs("  cycle: ", f);
         print_cycle(f, w);
-        fputc('\n', f);
+        fputs(w->circles > w->nodes[w->cycle[0]].in_circle ? ", one of several\n" : "\n", f);
         return;
     }
     for (uint32_t i = 0; i < w->count; i++)
