@@ -115,6 +115,7 @@ static void classes_are_powers_of_two_and_the_host_is_apart(void **state)
     assert_int_equal(r.row[299], 38);
     assert_text("8\u201315", node_rows_label(&r, &t, 1));
     assert_text("host", node_rows_label(&r, &t, 38));
+    assert_string_equal(activity_name(&t, ACTIVITIES), "no program");
     assert_text("299 nodes and the host in 38 rows of 8", node_rows_text(&r, "rows"));
     assert_int_equal(each.count, 300);
     node_rows_free(&each);

@@ -7,9 +7,9 @@
 static const char *const NAMES[ACTIVITIES + 1] = {"computing",     "handler computing", "system (message)",
                                                   "system (call)", "waiting",           "ended"};
 
-const char *activity_name(enum activity a)
+const char *activity_name(const struct trace *t, enum activity a)
 {
-    return NAMES[a];
+    return a == ACTIVITIES && t->topo.host ? "no program" : NAMES[a];
 }
 
 enum activity activity_of(const struct trace_piece *p)

@@ -24,8 +24,8 @@ struct state_times {
 
 /* The activity of a piece of a node's time; ACTIVITIES of one without a program. */
 enum activity activity_of(const struct trace_piece *p);
-/* "computing", "waiting" ...; of ACTIVITIES "ended". */
-const char *activity_name(enum activity a);
+/* "computing", "waiting" ...; of ACTIVITIES "ended", or "no program" where a host loads the programs. */
+const char *activity_name(const struct trace *t, enum activity a);
 
 struct state_times state_times_make(const struct trace *t, const struct node_rows *r, struct time_bins bins);
 void state_times_free(struct state_times *s);

@@ -55,7 +55,7 @@ void gantt_draw(const struct show *s, const struct canvas *c)
     canvas_frame(c, p);
     axes_rows(c, p, &rows, s->trace, "node");
     axes_time(c, p, s->trace->from, s->trace->to);
-    stacked_legend(c, p.x, p.y + p.h + 60, &times, s->trace->end, s->rows.nodes, ACTIVITIES);
+    stacked_legend(c, p.x, p.y + p.h + 60, s->trace, &times, s->rows.nodes, ACTIVITIES);
     state_times_free(&times);
     free(rows.edge);
 }

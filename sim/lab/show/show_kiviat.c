@@ -152,7 +152,7 @@ void kiviat_draw(const struct show *s, const struct canvas *c)
     draw_areas(&k, c, centre);
     draw_rings(c, centre, k.rim);
     draw_spokes(c, centre, s);
-    stacked_legend(c, LEFT, centre.y + RADIUS + 58, &k.times, s->trace->end, s->rows.nodes, ACTIVITY_WAITING);
+    stacked_legend(c, LEFT, centre.y + RADIUS + 58, s->trace, &k.times, s->rows.nodes, ACTIVITY_WAITING);
     state_times_free(&each);
     state_times_free(&k.times);
     node_rows_free(&single);

@@ -78,8 +78,7 @@ static void draw_lines(const struct canvas *c, const struct space_time *d)
         stacked_draw(&field, area, &times, i, 1, ACTIVITY_WAITING);
     }
     stacked_finish(c, d->plot, &field);
-    stacked_legend(c, d->plot.x, d->plot.y + d->plot.h + 60, &times, t->end, d->lines.nodes,
-                   ACTIVITY_WAITING);
+    stacked_legend(c, d->plot.x, d->plot.y + d->plot.h + 60, t, &times, d->lines.nodes, ACTIVITY_WAITING);
     state_times_free(&times);
 }
 

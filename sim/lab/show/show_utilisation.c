@@ -23,7 +23,7 @@ void utilisation_draw(const struct show *s, const struct canvas *c)
     canvas_frame(c, p);
     axes_number(c, p, s->rows.nodes, false, s->rows.host ? "nodes (with the host)" : "nodes");
     axes_time(c, p, s->trace->from, s->trace->to);
-    stacked_legend(c, p.x, p.y + p.h + 60, &all, s->trace->end, s->rows.nodes, ACTIVITIES);
+    stacked_legend(c, p.x, p.y + p.h + 60, s->trace, &all, s->rows.nodes, ACTIVITIES);
     state_times_free(&all);
     state_times_free(&rows);
 }

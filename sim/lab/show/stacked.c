@@ -109,14 +109,14 @@ struct share_text stacked_share(double share)
     return t;
 }
 
-void stacked_legend(const struct canvas *c, double x, double y, const struct state_times *s, vtime end,
-                    double nodes, enum activity activities)
+void stacked_legend(const struct canvas *c, double x, double y, const struct trace *t,
+                    const struct state_times *s, double nodes, enum activity activities)
 {
     const struct text_style style = {10, GREY, ANCHOR_LEFT, false};
     const char *of = "Of all nodes' time: ";
     struct legend_entry list[ACTIVITIES + 1];
     size_t count = 0;
-    double all = nodes * (double)(vt_min(s->bins.to, end) - s->bins.from);
+    double all = nodes * (double)(vt_min(s->bins.to, t->end) - s->bins.from);
     double sums[ACTIVITIES + 1] = {[ACTIVITIES] = all};
     for (size_t i = 0; i < (size_t)s->rows * s->bins.count * ACTIVITIES; i++)
         sums[i % ACTIVITIES] += s->sums[i], sums[ACTIVITIES] -= s->sums[i];
@@ -124,7 +124,7 @@ void stacked_legend(const struct canvas *c, double x, double y, const struct sta
         if ((a >= activities && a < ACTIVITIES) || (a == ACTIVITIES && sums[a] <= SEEN * all))
             continue;
         list[count++] = (struct legend_entry){
-            palette_activity(a), xasprintf("%s %s", activity_name(a), stacked_share(sums[a] / all).text),
+            palette_activity(a), xasprintf("%s %s", activity_name(t, a), stacked_share(sums[a] / all).text),
             false};
     }
     if (count > ACTIVITIES)

@@ -24,6 +24,6 @@ struct share_text {
 struct share_text stacked_share(double share);
 /* The legend of the first `activities`, with the share of each in all time up to the end of the run, even if
  * that is 0: pictures of one run have one legend. */
-void stacked_legend(const struct canvas *c, double x, double y, const struct state_times *s, vtime end,
-                    double nodes, enum activity activities);
+void stacked_legend(const struct canvas *c, double x, double y, const struct trace *t,
+                    const struct state_times *s, double nodes, enum activity activities);
 #endif

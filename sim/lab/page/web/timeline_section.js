@@ -3,7 +3,7 @@
 
 function traceSections(trace, name) {
     const section = addSection(`Timeline of ${baseName(trace.program)} on ${trace.machine}`, 'Timeline: ' + baseName(name),
-        [...commandText(trace.command), ` (${name}): ${plural(trace.rows.length, 'node')}, ${
+        [...commandText(trace.command), ` (${name}): ${nodesText(trace.rows)}, ${
             plural(trace.pieceCount,
                 'interval')}, ${plural(trace.messageCount, 'message')} in ${roughly(Number(trace.end))}.`],
         name);
@@ -362,7 +362,7 @@ class Timeline {
         const end = time => rounded(shortTime(time, span), moment(time));
         this.readout.replaceChildren(
             element('p', {}, 'From ', end(from), ' to ', end(to),
-                `, ${roughly(span)}, of ${plural(this.trace.rows.length, 'node')}: `,
+                `, ${roughly(span)}, of ${nodesText(this.trace.rows)}: `,
                 all.map((sum, k) => (sum ? `${kinds[k].name} ${percent(sum, whole)}` : ''))
                     .filter(text => text)
                     .join(', '),
@@ -519,7 +519,7 @@ class Timeline {
             ...figureTable('Each node\'s time',
                 [
                     {name: 'Node', text: true, get: r => r.name},
-                    ...PIECE_NAMES.map((name, k) => ({name, get: r => r.sums[k]}))
+                    ...this.trace.pieceNames().map((name, k) => ({name, get: r => r.sums[k]}))
                 ],
                 rows, 1024)
         ];

@@ -39,11 +39,20 @@ class Trace {
         this.findHosts();
         this.orderBy('number', false);
     }
+    /* Where there is a host, it loads the nodes' programs. */
+    pieceNames() {
+        return this.rows.some(row => row.name === 'host') ?
+            [...PIECE_NAMES.slice(0, -1), 'ended, or no program yet'] : PIECE_NAMES;
+    }
+    pieceName(row, i) {
+        const later = i < row.first + row.pieces - 1;
+        return this.activity[i] === 5 && later ? 'no program yet' : PIECE_NAMES[this.activity[i]];
+    }
     /* What pieces are drawn as, this.drawn[i], is one of this.kinds. By call or function: the eight that
      * take most of the time have colours. Computing is for the functions that worked, as in touchstone
      * trace why, and a call for the function that calls. */
     colourBy(what) {
-        this.kinds = PIECE_NAMES.map((name, i) => ({name, tone: PIECE_COLOURS[i]}));
+        this.kinds = this.pieceNames().map((name, i) => ({name, tone: PIECE_COLOURS[i]}));
         this.drawn = this.activity;
         if (what !== 'activity')
             this.drawNamed(what);
@@ -73,7 +82,7 @@ class Trace {
         const most = [...times].sort((a, b) => b[1] - a[1]).slice(0, 8).map(([name]) => name);
         const kindOf = new Map(most.map((name, i) => [name, i + 2]));
         this.kinds = [
-            {name: `no ${what}`, tone: 'waiting'}, {name: 'ended', tone: 'ended'},
+            {name: `no ${what}`, tone: 'waiting'}, {name: this.pieceNames()[5], tone: 'ended'},
             ...most.map((name, i) => ({name, tone: 'c' + i})), {name: `other ${what}s`, tone: 'soft'}
         ];
         const none = i => (this.activity[i] === 5 ? 1 : 0), other = this.kinds.length - 1;
@@ -198,7 +207,7 @@ class Trace {
               wait = c['piece.wait'][i];
         const from = this.pieceFrom(row, i), to = c['piece.end'].at(i), handler = c['piece.handler'][i],
               system = c['piece.system'][i];
-        const lines = [`${row.name}: ${PIECE_NAMES[this.activity[i]]} for ${duration(to - from)}, from ${
+        const lines = [`${row.name}: ${this.pieceName(row, i)} for ${duration(to - from)}, from ${
             moment(from)} to ${moment(to)}`];
         if (system >= 0)
             lines.push(`The operating system is ${TASK_NAMES[c['system.task'][system]] || 'busy'}.`);
@@ -221,7 +230,7 @@ class Trace {
     pieceTip(row, i) {
         const call = this.columns['piece.call'][i],
               from = i === row.first ? this.start : this.pieceEnd[i - 1];
-        return `${row.name}: ${PIECE_NAMES[this.activity[i]]}, ${roughly(this.pieceEnd[i] - from)}` +
+        return `${row.name}: ${this.pieceName(row, i)}, ${roughly(this.pieceEnd[i] - from)}` +
                (call >= 0              ? '\n' + this.callText(call)
                     : this.workedText(i) ? '\nin ' + this.workedText(i)
                                          : '');
@@ -279,11 +288,18 @@ class Trace {
     }
 }
 
+/* "4 nodes and the host"; "4 nodes of ipsc860 and its host". */
+function nodesText(rows, machine) {
+    const nodes = rows.filter(row => row.name !== 'host').length;
+    return plural(nodes, 'node') + (machine ? ` of ${machine}` : '') +
+           (nodes < rows.length ? ` and ${machine ? 'its' : 'the'} host` : '');
+}
+
 function traceSummary(trace) {
     return {
         kind: 'Trace',
         big: roughly(Number(trace.end)),
-        small: `${baseName(trace.program)} on ${plural(trace.nodes.length, 'node')} of ${trace.machine}; ${
+        small: `${baseName(trace.program)} on ${nodesText(trace.nodes, trace.machine)}; ${
             plural(trace.pieceCount, 'interval')}, ${plural(trace.messageCount, 'message')}${
             trace.complete ? '' : '; the trace ends early'}`
     };
