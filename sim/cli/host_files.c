@@ -25,6 +25,8 @@ static error_t keep(int key, char *arg, struct argp_state *state)
     struct cli_host_files *f = state->input;
     if (key != HOST_FILES)
         return ARGP_ERR_UNKNOWN;
+    if (!f)
+        return 0;
     f->list = xreallocarray(f->list, f->count + 2, sizeof *f->list);
     f->list[f->count++] = arg;
     f->list[f->count] = NULL;
@@ -50,7 +52,7 @@ static error_t hand_on(int key, char *arg, struct argp_state *state)
     setenv(VARIABLE, all, 1);
     free(here);
     free(all);
-    return 0;
+    return keep(key, arg, state);
 }
 
 const struct argp CLI_HOST_FILES = {RUN_OPTIONS, keep, NULL, NULL, NULL, NULL, NULL};

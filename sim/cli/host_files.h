@@ -13,7 +13,8 @@ struct cli_host_files {
 
 /* --host-files; input: struct cli_host_files *. */
 extern const struct argp CLI_HOST_FILES;
-/* --host-files of commands that start runs: the values go into the environment, where the runs find them. */
+/* --host-files of commands that start runs: the values go into the environment, where the runs find them.
+ * Input: struct cli_host_files *, in which they are kept, too; or NULL. */
 extern const struct argp CLI_RUNS_HOST_FILES;
 
 /* The fence round a run: the current folder, the option's values, those of the environment, and, to be read,

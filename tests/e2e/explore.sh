@@ -52,6 +52,22 @@ check "--json -: JSON alone" jq -e '.format == "touchstone explore 1"' out
 explore of/clock -n 2 --runs 30 clock
 check "none is reduced" eval '! grep -q "delays that show it" out'
 
+# --- the command that repeats a run lets it use the same files ---
+cat >seed.c <<'END'
+#include <nx.h>
+#include <stdio.h>
+int main(void)
+{
+    FILE *f = fopen("/dev/urandom", "r");
+    printf("%d\n", f ? getc(f) : -1);
+    return 0;
+}
+END
+build seed.c seed
+explore of/seed --runs 5 --host-files /dev/urandom:ro --json seed.json seed
+repeats seed.json 1
+check "a run of --host-files is repeated with them" grep -qx '[0-9]*' again
+
 # --- many orders: who came first, of five ---
 cat >first.c <<'END'
 #include <nx.h>

@@ -21,6 +21,7 @@ enum { USUAL_RUNS = 200, USUAL_TESTS = 200, USUAL_EXPLAINED = 8, USUAL_WALL_S = 
 
 struct arguments {
     struct cli_program what;
+    struct cli_host_files files;
     const char *dir, *same, *same_file, *json;
     unsigned jobs;
     uint32_t runs, tests, depth; /* 0: not said */
@@ -94,7 +95,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
     if (key == ARGP_KEY_INIT)
-        state->child_inputs[0] = &a->what, state->child_inputs[1] = &a->jobs;
+        state->child_inputs[0] = &a->what, state->child_inputs[1] = &a->jobs,
+        state->child_inputs[2] = &a->files;
     else if (key == 'o')
         a->dir = arg;
     else if (key == RUNS)
@@ -211,6 +213,7 @@ static int explore_with(struct arguments *a, const regex_t *same)
                                             .machine = a->what.machine,
                                             .host = a->what.host,
                                             .set = a->what.set,
+                                            .host_files = a->files.list,
                                             .program = a->what.program,
                                             .program_count = a->what.program_count,
                                             .nodes = a->what.nodes,
@@ -265,6 +268,7 @@ int cli_explore(int argc, char **argv)
     cli_parse(&ARGP, "touchstone explore", ARGP_IN_ORDER, argc, argv, &a);
     int status = explore_same(&a);
     cli_program_free(&a.what);
+    free(a.files.list);
     free(a.input);
     return status;
 }

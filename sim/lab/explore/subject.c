@@ -233,6 +233,8 @@ char *subject_command_text(const struct subject *s, const char *timing, const ch
 {
     char *text = xstrdup("touchstone run"), **argv = NULL;
     add_machine_options(&argv, s, s->options.machine, s->options.host);
+    for (const char *const *file = s->options.host_files; file && *file; file++)
+        add(&argv, "--host-files", *file);
     add(&argv, "--timing", timing);
     add(&argv, "--replay", replay);
     add_program(&argv, s, s->options.program_count ? s->options.program[0] : NULL);

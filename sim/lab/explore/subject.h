@@ -15,7 +15,9 @@ struct subject_options {
     const char *machine;    /* as in run -m */
     const char *host;       /* the host's program; NULL: none */
     const char *const *set; /* settings KEY=VALUE, ended by NULL; or NULL */
-    char *const *program;   /* with its arguments; count of them */
+    const char *const
+        *host_files;      /* of --host-files, ended by NULL; or NULL. Runs find them in the environment */
+    char *const *program; /* with its arguments; count of them */
     int program_count;
     unsigned nodes;           /* 0: as many as the host program asks for */
     double max_virtual_s;     /* of a run; 0: no limit */
