@@ -79,15 +79,29 @@ bool atomic_file_possible(const char *path, char **error)
     return !why || (*error = cannot_be_written(path, why), false);
 }
 
-/* The name is random, not made of the process id: processes of several computers may share the folder. */
+/* Makes a file whose name is random, not made of the process id: processes of several computers may share the
+ * folder. A signal waits until it is noted for drop_and_end(). */
+static int make_noted(struct atomic_file *f)
+{
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    f->unfinished = xasprintf("%s" UNFINISHED "XXXXXX", f->path);
+    int fd = mkostemp(f->unfinished, O_CLOEXEC), why = errno;
+    begun_last = fd < 0 ? NULL : f->unfinished;
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    errno = why;
+    return fd;
+}
+
 static int make_unfinished(struct atomic_file *f)
 {
     for (;;) {
-        f->unfinished = xasprintf("%s" UNFINISHED "XXXXXX", f->path);
-        int fd = mkostemp(f->unfinished, O_CLOEXEC);
+        int fd = make_noted(f);
         if (fd < 0 || flock(fd, LOCK_EX) != 0 || left_over_is_there(f->unfinished, fd))
-            return begun_last = fd < 0 ? NULL : f->unfinished, fd;
+            return fd;
         close(fd); /* taken for a dead process's before it was locked */
+        begun_last = NULL;
         free(f->unfinished);
     }
 }
