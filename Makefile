@@ -18,8 +18,8 @@ SAN    ?=
 # The simulator itself is optimised as a whole (but with sanitizers), and more is inlined than GCC would: an event runs through
 # many small functions, of which each is called from a few places. Its objects are good for linking tests without that, too.
 LTO    ?= $(if $(findstring clang,$(CC)),,-flto=auto -ffat-lto-objects --param inline-unit-growth=225 --param max-inline-insns-auto=80 --param early-inlining-insns=20)
-# Still more where each event and each call of NX runs through, also ways that are the same up to a branch; loops are short there.
-# (`inline` on a function in those folders raises the limit for it.)
+# Still more where each event and each call of NX runs through; `inline` on a function there raises its limit. -ftracer copies the code
+# behind the point where two ways meet, so that each way is one piece. Loops there are too short for vectors.
 INLINE ?= -ftracer -fno-tree-vectorize --param max-inline-insns-auto=200 --param max-inline-insns-single=400 --param early-inlining-insns=40 --param inline-min-speedup=5
 # Files get the same names wherever they are built: make reproducible.
 PREFIX_MAP = -ffile-prefix-map=$(CURDIR)=.

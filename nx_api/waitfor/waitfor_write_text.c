@@ -241,6 +241,7 @@ static void print_head(FILE *f, const struct waitfor *w)
     if (w->cycle) {
         fputs("  cycle: ", f);
         print_cycle(f, w);
+        /* in_circle counts the cycle that is printed, if it is among the circles */
         fputs(w->circles > w->nodes[w->cycle[0]].in_circle ? ", one of several\n" : "\n", f);
         return;
     }
