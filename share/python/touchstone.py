@@ -66,7 +66,8 @@ class Table(list):
         while count < len(head) and (not count or sum(widths[:count + 1]) + 2 * count <= room):
             count += 1
         text = ["  ".join(v.rjust(w) for v, w in zip(line[:count], widths)) for line in lines]
-        more = [f"{left} {what} more" for left, what in ((len(self) - MOST_ROWS, "rows"), (len(head) - count, "columns")) if left > 0]
+        more = [f"{left} {what}{'' if left == 1 else 's'} more"
+                for left, what in ((len(self) - MOST_ROWS, "row"), (len(head) - count, "column")) if left > 0]
         return "\n".join(text + ([f"... {' and '.join(more)}"] if more else []))
 
     def _repr_html_(self):

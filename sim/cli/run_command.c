@@ -52,8 +52,8 @@ struct arguments {
     struct cli_host_files host_files;
     char **layer; /* ended by NULL; NULL: none */
     size_t layer_count;
-    struct plan *plan;  /* of timing.replay */
-    char *host_only[2]; /* arguments of a host program, if none are given */
+    struct plan *plan; /* of timing.replay */
+    char **host_words; /* the host program's arguments, with its name; NULL: no host */
 };
 
 static const struct argp_option OPTIONS[] = {
@@ -378,6 +378,20 @@ static int unprofiled(const char *program)
         xasprintf("--profile: %s was built without it: compile and link it with nxcc --profile", program));
 }
 
+/* The arguments are the host program's, with its name in place of the node program's: in a copy, for a trace
+ * has the command as it was given. */
+static void give_to_host(struct arguments *a, struct machine_options *o)
+{
+    const int count = a->what.program_count;
+    a->host_words = xcalloc((size_t)count + 2, sizeof *a->host_words);
+    for (int i = 1; i < count; i++)
+        a->host_words[i] = a->what.program[i];
+    a->host_words[0] = (char *)(uintptr_t)a->what.host;
+    o->program = count ? a->what.program[0] : NULL;
+    o->argc = count ? count : 1;
+    o->argv = a->host_words;
+}
+
 static struct machine_options options_of(struct arguments *a, const struct cfg_machine *cfg)
 {
     struct machine_options o = {.cfg = cfg,
@@ -404,13 +418,8 @@ static struct machine_options options_of(struct arguments *a, const struct cfg_m
                                 .stop = a->stop,
                                 .out = written_files(a, true) ? stderr : stdout,
                                 .err = stderr};
-    if (a->what
-            .host) { /* the arguments are the host program's, with its name in place of the node program's */
-        o.program = a->what.program_count ? a->what.program[0] : NULL;
-        o.argc = a->what.program_count ? a->what.program_count : 1;
-        o.argv = a->what.program_count ? a->what.program : a->host_only;
-        o.argv[0] = (char *)(uintptr_t)a->what.host;
-    }
+    if (a->what.host)
+        give_to_host(a, &o);
     return o;
 }
 
@@ -570,6 +579,7 @@ int cli_run(int argc, char **argv)
     else
         status = run(&a);
     cli_program_free(&a.what);
+    free(a.host_words);
     free(a.host_files.list);
     free(a.traced_nodes);
     free_layer(&a);

@@ -35,6 +35,20 @@ check "standard input is node 0's too: each line goes to the one that reads firs
 host farm farm_node 5
 check "five nodes are a cube of eight" cmp want out
 
+# A trace has the command as it was given; nodes that the host did not get are none of the run's.
+mkdir -p elsewhere/at
+cp farm_node elsewhere/at
+(cd elsewhere && "$BUILD/touchstone" run -q --trace farm.trace --host ../farm at/farm_node) >out 2>err
+"$BUILD/touchstone" trace info elsewhere/farm.trace >out 2>err
+check "a trace: the command has the node program" grep -q 'run -q --trace farm.trace --host ../farm at/farm_node$' out
+check "a trace: how many nodes had a program" grep -qx 'machine          ipsc860, 8 nodes and the host' out
+"$BUILD/touchstone" trace why --set node.clock_mhz=20 --than elsewhere/farm.trace --json why.json elsewhere/farm.trace >out 2>err
+check "trace why: the command runs again" grep -q 'would take .* with node.clock_mhz=20' out
+check "trace why: another run's nodes, without the host" \
+    eval "tr '\n' ' ' <out | grep -q 'farm.trace, on 8 nodes and the host, took' && grep -q '^  \"nodes\": 8,' why.json"
+"$BUILD/touchstone" page farm.html elsewhere/farm.trace >out 2>err
+check "a page: its title has the nodes that had a program" grep -q '<title>farm on 8 nodes of ipsc860' farm.html
+
 run -n 4 --host again
 cat >want <<'END'
 node 3 ended with 3

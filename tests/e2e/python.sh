@@ -31,6 +31,7 @@ says "a study: a row a point" "[2, 4]" "t.results('study').column('nodes')"
 says "a table at the prompt: rows and columns that have room" "$(printf 'nodes  share  failure\n    2    0.5         \n    4    0.5         \n... 25 columns more')" "__import__('os').environ.update(COLUMNS='24') or t.results('study')"
 says "a long text at the prompt is cut" "$(printf 'x%.0s' {1..47})..." "repr(t.Table([{'a': 'x' * 60}])).split(chr(10))[1]"
 printf 'nodes,digest\n1,"0000000000000000"\n2,"12e4567890123456"\n' >study/results.csv
+says "one row is no rows" "... 1 row more" "repr(t.Table([{'a': 1}] * 21)).split(chr(10))[-1]"
 says "a long table at the prompt" "22 ... 5 rows more" "(lambda l: f'{len(l)} {l[-1]}')(repr(t.Table([{'a': 1.23456789}] * 25)).split(chr(10)))"
 says "an empty table at the prompt" "" "t.Table()"
 says "a digest of digits only is a text" "['0000000000000000', '12e4567890123456']" "t.results('study').column('digest')"

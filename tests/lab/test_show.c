@@ -18,6 +18,7 @@
 #include "lab/show/message_lengths.h"
 #include "lab/show/message_queues.h"
 #include "lab/show/message_sample.h"
+#include "lab/show/stacked.h"
 #include "lab/draw/palette.h"
 #include "lab/draw/picture_file.h"
 #include "lab/draw/state_times.h"
@@ -116,6 +117,7 @@ static void classes_are_powers_of_two_and_the_host_is_apart(void **state)
     assert_text("8\u201315", node_rows_label(&r, &t, 1));
     assert_text("host", node_rows_label(&r, &t, 38));
     assert_string_equal(activity_name(&t, ACTIVITIES), "no program");
+    assert_string_equal(stacked_whole(&t), "Of all time: ");
     assert_text("299 nodes and the host in 38 rows of 8", node_rows_text(&r, "rows"));
     assert_int_equal(each.count, 300);
     node_rows_free(&each);

@@ -337,9 +337,13 @@ def check_trace_rest(b):
     said = b.run("return flameSummary('main;relax 500\\nmain;csend 200\\nmain;crecv;wait 300').big")
     rule("flame graph: its card has the largest frame", said == "50.0 % in relax", said)
     said = b.run("""return [['node 0', 'node 1'], ['node 0', 'host']].map(names => traceSummary({program: 'farm', machine: 'delta',
-        nodes: names.map(name => ({name})), end: '5', pieceCount: 7, messageCount: 2, complete: true}).small)""")
+        nodes: [...names.map(name => ({name, ran: true})), {name: 'node 7', ran: false}], end: '5', pieceCount: 7, messageCount: 2, complete: true}).small)""")
     rule("a trace's card: its host is none of the nodes", [t.split(";")[0] for t in said] ==
          ["farm on 2 nodes of delta", "farm on 1 node of delta and its host"], said)
+    said = b.run("""const m = sumMatrix({nodes: [['node 0', true], ['node 1', false], ['host', true]].map(([name, ran]) => ({name, ran})),
+        columns: {'message.from': [0, 2], 'message.to': [2, -1], 'message.bytes': {number: () => 8}}, messageCount: 2}, 'bytes', null);
+        return [m.names.join(), m.count, Array.from(m.sums).join('')]""")
+    rule("a matrix has the nodes that had a program", said == ["node 0,host,services", 3, "080008000"], said)
     frame = [g for g in why.find_elements(By.CSS_SELECTOR, "g[role=button]") if g.get_attribute("aria-label").startswith("crecv")][0]
     rule("flame graph: a frame's share", frame.get_attribute("aria-label") == "crecv, 30.00 %", frame.get_attribute("aria-label"))
     wide = b.run("return arguments[0].querySelector('rect').getBBox().width", frame)

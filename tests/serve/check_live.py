@@ -61,6 +61,8 @@ def main(b, nodes):
     held = """[...document.querySelectorAll('main .controls select')].find(s => s.parentElement.textContent.startsWith('set'))
         ?.selectedOptions[0].text"""
     rule("a point that was run is seen, whatever axes were held at", b.until(f"return ({held}) === 'node.clock_mhz=20' && {rings} === 1"))
+    rule("the study's own points are named beside it", b.run("""return [...document.querySelectorAll('main .controls select')]
+        .find(s => s.parentElement.textContent.startsWith('set')).options[0].text""") == "as in the study")
     b.run("document.querySelector('.live [name=set]').value = ''")
     fill(b, nodes="many")
     field(b, "nodes").send_keys(Keys.ENTER)

@@ -75,7 +75,8 @@ static void print_info(const struct trace *t, const vtime states[TRACE_STATES], 
 {
     vtime all = 0;
     fprintf(f, "%s\n", t->command);
-    fprintf(f, "machine          %s, %" PRId32 " nodes\n", t->machine, t->node_count);
+    fprintf(f, "machine          %s, %" PRId32 " nodes%s\n", t->machine, trace_nodes_ran(t),
+            t->topo.host ? " and the host" : "");
     fprintf(f, "time             %s to %s of %s%s\n", virtual_time_moment(t->from).text,
             virtual_time_moment(t->to).text, virtual_time_moment(t->end).text,
             t->complete ? "" : " (the trace is cut off: the run was killed)");
@@ -103,7 +104,7 @@ static json_t *info_json(const struct trace *t, const vtime states[TRACE_STATES]
     return xchecked(
         json_pack("{s:s, s:o, s:s, s:i, s:I, s:I, s:I, s:b, s:i, s:i, s:i, s:i, s:i, s:i, s:o, s:s}",
                   "format", "touchstone trace-info 1", "command", json_text(t->command), "machine",
-                  t->machine, "nodes", (int)t->node_count, "from_ps", (json_int_t)t->from, "to_ps",
+                  t->machine, "nodes", (int)trace_nodes_ran(t), "from_ps", (json_int_t)t->from, "to_ps",
                   (json_int_t)t->to, "end_ps", (json_int_t)t->end, "complete", (int)t->complete, "calls",
                   (int)t->call_count, "waits", (int)t->wait_count, "handlers", (int)t->handler_count,
                   "system_intervals", (int)t->system_count, "messages", (int)t->message_count,

@@ -8,14 +8,6 @@ static bool is_host(const struct trace *t, int32_t node)
     return topo_is_host(&t->topo, t->nodes[node].address);
 }
 
-/* With a host, nodes run programs only when it has got them as a cube: those that never did anything are
- * left out. */
-static bool is_shown(const struct trace *t, const struct trace_node *n)
-{
-    return n->traced &&
-           (!t->topo.host || n->calls || n->handlers || n->systems || topo_is_host(&t->topo, n->address));
-}
-
 /* Puts a node into the last row, or into a new one. */
 static void add(struct node_rows *r, const struct trace *t, int32_t node, bool apart)
 {
@@ -42,7 +34,7 @@ static struct node_rows rows_of(const struct trace *t, int32_t per, const bool *
     r.classes = xcalloc(room, sizeof *r.classes);
     for (int32_t n = 0; n < t->node_count; n++) {
         r.row[n] = TRACE_NONE;
-        if (is_shown(t, &t->nodes[n]))
+        if (t->nodes[n].traced && trace_node_ran(t, n))
             add(&r, t, n, apart && apart[n]);
     }
     return r;

@@ -189,18 +189,12 @@ static char *run_text(const char *program, json_int_t nodes, const char *machine
                      nodes == 1 ? "" : "s", machine);
 }
 
-/* Without the host, which is the last. */
-static int32_t nodes_of(const struct trace *t)
-{
-    return t->node_count - (t->node_count && topo_is_host(&t->topo, t->nodes[t->node_count - 1].address));
-}
-
 char *page_item_about(const struct page_item *item)
 {
     const struct trace *t = item->trace;
     const json_t *j = item->json;
     if (t)
-        return run_text(t->program, nodes_of(t), t->machine);
+        return run_text(t->program, trace_nodes_ran(t), t->machine);
     if (item->kind == PAGE_RUN || item->kind == PAGE_PROFILE || item->kind == PAGE_PATH)
         return run_text(json_string_value(json_object_get(j, "program")),
                         json_integer_value(json_object_get(j, "nodes")),

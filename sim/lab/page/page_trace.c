@@ -206,13 +206,14 @@ static json_t *nodes_json(struct traced *d)
     for (int32_t i = 0; i < d->t->node_count; i++) {
         const struct trace_node *n = &d->t->nodes[i];
         size_t first = d->pieces.count;
-        if (n->traced)
+        const bool ran = trace_node_ran(d->t, i);
+        if (n->traced && ran)
             trace_pieces(d->t, i, &d->pieces);
         if (d->pieces.count > first)
             find_worked(d, first);
         json_append(list,
-                    json_pack("{s:o, s:I, s:b, s:I, s:I, s:i, s:i, s:o}", "name", json_text(n->name),
-                              "address", (json_int_t)n->address, "traced", n->traced, "first",
+                    json_pack("{s:o, s:I, s:b, s:b, s:I, s:I, s:i, s:i, s:o}", "name", json_text(n->name),
+                              "address", (json_int_t)n->address, "traced", n->traced, "ran", ran, "first",
                               (json_int_t)first, "pieces", (json_int_t)(d->pieces.count - first),
                               "first_call", n->first_call, "calls", n->calls, "end", time_json(n->end)));
     }

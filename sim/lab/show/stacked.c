@@ -109,11 +109,16 @@ struct share_text stacked_share(double share)
     return t;
 }
 
+const char *stacked_whole(const struct trace *t)
+{
+    return t->topo.host ? "Of all time: " : "Of all nodes' time: ";
+}
+
 void stacked_legend(const struct canvas *c, double x, double y, const struct trace *t,
                     const struct state_times *s, double nodes, enum activity activities)
 {
     const struct text_style style = {10, GREY, ANCHOR_LEFT, false};
-    const char *of = "Of all nodes' time: ";
+    const char *of = stacked_whole(t);
     struct legend_entry list[ACTIVITIES + 1];
     size_t count = 0;
     double all = nodes * (double)(vt_min(s->bins.to, t->end) - s->bins.from);

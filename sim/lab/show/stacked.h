@@ -22,6 +22,8 @@ struct share_text {
     char text[16];
 };
 struct share_text stacked_share(double share);
+/* What the shares of a legend are of; the host is no node. */
+const char *stacked_whole(const struct trace *t);
 /* The legend of the first `activities`, with the share of each in all time up to the end of the run, even if
  * that is 0: pictures of one run have one legend. */
 void stacked_legend(const struct canvas *c, double x, double y, const struct trace *t,

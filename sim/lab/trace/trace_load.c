@@ -118,6 +118,21 @@ int32_t trace_node_at(const struct trace *t, uint32_t address)
                                              : TRACE_NONE;
 }
 
+bool trace_node_ran(const struct trace *t, int32_t node)
+{
+    const struct trace_node *n = &t->nodes[node];
+    return !t->topo.host || !n->traced || topo_is_host(&t->topo, n->address) || n->calls || n->handlers ||
+           n->systems || (t->complete && n->end > 0);
+}
+
+int32_t trace_nodes_ran(const struct trace *t)
+{
+    int32_t count = 0;
+    for (int32_t i = 0; i < t->node_count; i++)
+        count += trace_node_ran(t, i) && !topo_is_host(&t->topo, t->nodes[i].address);
+    return count;
+}
+
 static bool selects(const struct trace_selection *s, int32_t node)
 {
     return !s->nodes || ((uint32_t)node < s->node_count && s->nodes[node]);

@@ -155,6 +155,10 @@ struct trace_selection {
 
 /* Reads a trace. NULL with *error (malloc'd, names the file) on failure, or if it has none of the nodes. */
 struct trace *trace_load(const char *path, const struct trace_selection *s, char **error);
+/* Had the node, or host, a program? With a host, a node has one when the host has loaded it. */
+bool trace_node_ran(const struct trace *t, int32_t node);
+/* How many nodes had a program; the host is none of them. */
+int32_t trace_nodes_ran(const struct trace *t);
 void trace_free(struct trace *t);
 /* Has the trace one of the nodes selected? False with *error, malloc'd. */
 bool trace_has_nodes(const struct trace *t, const struct trace_selection *s, char **error);

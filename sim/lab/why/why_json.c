@@ -156,7 +156,7 @@ static json_t *compared(struct why *than)
 {
     json_t *o = json_object();
     json_set(o, "trace", json_text(than->t->path));
-    json_set(o, "nodes", json_integer(than->t->node_count));
+    json_set(o, "nodes", json_integer(trace_nodes_ran(than->t)));
     json_set(o, "path", path(than, false));
     return o;
 }
@@ -169,7 +169,7 @@ json_t *why_json(struct why *w, const struct why_report_options *o, bool with_pa
     json_set(root, "trace", json_text(t->path));
     json_set(root, "program", json_text(t->program));
     json_set(root, "machine", json_text(t->machine));
-    json_set(root, "nodes", json_integer(t->node_count));
+    json_set(root, "nodes", json_integer(trace_nodes_ran(t)));
     json_set(root, "from_ps", ps(t->from));
     json_set(root, "to_ps", ps(t->to));
     json_set(root, "end_ps", ps(t->end));

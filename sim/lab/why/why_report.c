@@ -239,9 +239,10 @@ static void say_difference(struct why *w, struct why *than, struct why_unit u, F
     enum why_class most = grown(w, than);
     vtime grown_to = w->by_class[most], grown_from = than->by_class[most];
     bool longer = w->length > than->length;
-    char *text =
-        xasprintf("The run of %s, on %" PRId32 " node%s, took %s. This one took ", than->t->path,
-                  than->t->node_count, than->t->node_count == 1 ? "" : "s", why_time(u, than->length).text);
+    const int32_t nodes = trace_nodes_ran(than->t);
+    char *text = xasprintf("The run of %s, on %" PRId32 " node%s%s, took %s. This one took ", than->t->path,
+                           nodes, nodes == 1 ? "" : "s", than->t->topo.host ? " and the host" : "",
+                           why_time(u, than->length).text);
     if (w->length == than->length)
         words_append(&text, "as long.");
     else

@@ -36,15 +36,9 @@ static const char *node_words(const struct why *w, int32_t node)
 /* "8 nodes of ipsc860 and its host": those that had a program. */
 static void where(const struct trace *t, FILE *f)
 {
-    int32_t nodes = 0;
-    bool host = false;
-    for (int32_t i = 0; i < t->node_count; i++) {
-        bool is_host = !strcmp(t->nodes[i].name, "host");
-        host = host || is_host;
-        nodes += !is_host && (t->nodes[i].end > 0 || !t->nodes[i].traced);
-    }
+    int32_t nodes = trace_nodes_ran(t);
     fprintf(f, "%" PRId32 " node%s of %s%s", nodes, nodes == 1 ? "" : "s", t->machine,
-            host ? " and its host" : "");
+            t->topo.host ? " and its host" : "");
 }
 
 static void about(struct why *w, FILE *f)

@@ -61,19 +61,21 @@ function matrixSection(trace, name, timeline) {
     });
 }
 
-/* Sums the messages by pair. Services have no row of their own; they share the last. */
+/* Sums the messages by pair of nodes that had a program. Services have no row of their own; they share the
+ * last. */
 function sumMatrix(trace, what, view) {
-    const c = trace.columns, count = trace.nodes.length + 1, sums = new Float64Array(count * count);
+    const nodes = trace.nodes.filter(n => n.ran), places = new Map(nodes.map((n, i) => [n, i]));
+    const c = trace.columns, count = nodes.length + 1, sums = new Float64Array(count * count);
+    const place = node => places.get(trace.nodes[node]) ?? count - 1;
     let most = 0, services = false;
     for (let i = 0; i < trace.messageCount; i++) {
         if (view && (trace.sentAt[i] > view.to || trace.overAt[i] < view.from))
             continue;
-        const from = c['message.from'][i] >= 0 ? c['message.from'][i] : count - 1,
-              to = c['message.to'][i] >= 0 ? c['message.to'][i] : count - 1;
+        const from = place(c['message.from'][i]), to = place(c['message.to'][i]);
         services ||= from === count - 1 || to === count - 1;
         most = Math.max(most, sums[from * count + to] += what === 'bytes' ? c['message.bytes'].number(i) : 1);
     }
-    const names = [...trace.nodes.map(n => n.name), 'services'];
+    const names = [...nodes.map(n => n.name), 'services'];
     return {sums, stride: count, count: services ? count : count - 1, most, names};
 }
 
@@ -115,7 +117,8 @@ function matrixLabels(g, matrix, at) {
         g.textAlign = 'right';
         g.fillText(name, space - 5, space + (i + 0.5) * cell);
         g.textAlign = 'center';
-        g.fillText(name, space + (i + 0.5) * cell, space - 10);
+        const end = space + matrix.count * cell, middle = space + (i + 0.5) * cell;
+        g.fillText(name, Math.min(middle, end - g.measureText(name).width / 2), space - 10);
     }
     if (at) {
         g.strokeStyle = colour('mark');

@@ -136,7 +136,7 @@ function studyControls(data, axes, several, figures, numeric, state, chart, upda
         choice('against', names(numeric), state.x, v => keep('x', v)),
         choice('a line for each', [...names(several.filter(a => a !== state.x)), ['', '(one line)']],
             state.lines, v => keep('lines', v)),
-        ...held.map(a => choice(a, data.axes[a].map((v, i) => [i, String(v)]), state.hold[a] || 0,
+        ...held.map(a => choice(a, data.axes[a].map((v, i) => [i, valueText(v)]), state.hold[a] || 0,
                         v => {
                             state.hold[a] = Number(v);
                             update();
@@ -162,6 +162,9 @@ function idealSeries(data, state) {
     return [{name: 'ideal', ideal: true, points}];
 }
 
+/* The study's own points have no settings of the machine: '' on the axis `set` (merged_points.c). */
+function valueText(value) { return value === '' ? 'as in the study' : String(value); }
+
 function studyOptions(data, axes, state) {
     const held = axes.filter(a => a !== state.x && a !== state.lines);
     const points = data.points.filter(
@@ -171,12 +174,12 @@ function studyOptions(data, axes, state) {
         name:
             value === null
                 ? figureWords(state.y)
-                : `${state.lines === 'scheme' || typeof value === 'string' ? '' : state.lines + ' '}${value}`,
+                : `${state.lines === 'scheme' || typeof value === 'string' ? '' : state.lines + ' '}${valueText(value)}`,
         points: points.filter(p => value === null || p[state.lines] === value).map(p => ({
             x: p[state.x],
             y: p[state.y],
             marked: p.added,
-            tip: `${axes.map(a => `${a} ${p[a]}`).join(', ')}\n${figureWords(state.y)}: ${p[state.y]}`
+            tip: `${axes.map(a => `${a} ${valueText(p[a])}`).join(', ')}\n${figureWords(state.y)}: ${p[state.y]}`
         }))
     }));
     return {

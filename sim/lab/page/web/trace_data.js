@@ -299,7 +299,7 @@ function traceSummary(trace) {
     return {
         kind: 'Trace',
         big: roughly(Number(trace.end)),
-        small: `${baseName(trace.program)} on ${nodesText(trace.nodes, trace.machine)}; ${
+        small: `${baseName(trace.program)} on ${nodesText(trace.nodes.filter(n => n.ran), trace.machine)}; ${
             plural(trace.pieceCount, 'interval')}, ${plural(trace.messageCount, 'message')}${
             trace.complete ? '' : '; the trace ends early'}`
     };
