@@ -49,6 +49,9 @@ check "trace why: another run's nodes, without the host" \
 "$BUILD/touchstone" page farm.html elsewhere/farm.trace >out 2>err
 check "a page: its title has the nodes that had a program" grep -q '<title>farm on 8 nodes of ipsc860' farm.html
 
+"$BUILD/touchstone" explore -o explored --runs 2 -m ipsc860 --host farm farm_node >out 2>err
+check "explore: PCT counts the programs that the host has loaded, and its own" grep -q '^ *(9 programs, ' out
+
 run -n 4 --host again
 cat >want <<'END'
 node 3 ended with 3

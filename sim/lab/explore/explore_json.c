@@ -31,8 +31,8 @@ static json_t *guarantee_json(const struct search *s)
     json_t *list = json_array();
     for (uint32_t depth = 1; depth <= s->draw.depth; depth++)
         json_append(list, xchecked(json_pack("{s:i, s:f, s:f}", "depth", (int)depth, "probability_of_a_run",
-                                             guarantee_of_a_run(s->base_nodes, events, depth), "runs_for_95",
-                                             guarantee_runs(s->base_nodes, events, depth))));
+                                             guarantee_of_a_run(s->programs, events, depth), "runs_for_95",
+                                             guarantee_runs(s->programs, events, depth))));
     return list;
 }
 

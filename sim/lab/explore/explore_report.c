@@ -74,9 +74,9 @@ static void print_guarantee(const struct explore *x, FILE *out)
     fprintf(out,
             "  guarantee  PCT, if these bounds allow every order, finds with 95 %% probability a fault of");
     for (uint32_t depth = 1; depth <= s->draw.depth && depth <= 3; depth++)
-        print_depth(s, guarantee_runs(s->base_nodes, events, depth), depth, out);
-    fprintf(out, "\n             (%" PRIu32 " program%s, %" PRIu64 " message%s and handlers)\n",
-            s->base_nodes, s->base_nodes == 1 ? "" : "s", events, events == 1 ? "" : "s");
+        print_depth(s, guarantee_runs(s->programs, events, depth), depth, out);
+    fprintf(out, "\n             (%" PRIu32 " program%s, %" PRIu64 " message%s and handlers)\n", s->programs,
+            s->programs == 1 ? "" : "s", events, events == 1 ? "" : "s");
 }
 
 /* --- an outcome ----------------------------------------------------------------------------------------- */

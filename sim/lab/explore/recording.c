@@ -331,3 +331,16 @@ void recording_free(struct recording *r)
     free(r->handlers);
     free(r);
 }
+
+uint32_t recording_programs(const struct recording *r)
+{
+    bool *seen = xcalloc(r->nodes + 1, sizeof *seen);
+    uint32_t count = 0;
+    for (size_t i = 0; i < r->message_count; i++)
+        seen[r->messages[i].from] = seen[r->messages[i].to] = true;
+    for (uint32_t node = 0; node <= r->nodes; node++)
+        count += seen[node];
+    count = seen[r->nodes] ? count : r->nodes;
+    free(seen);
+    return count;
+}

@@ -67,6 +67,9 @@ struct recording *recording_load(const char *path, char **error);
 struct recording *recording_read(FILE *in, const char *path, char **error);
 void recording_free(struct recording *r);
 
+/* How many programs there were: one on each node; with a host, its own and those that exchanged messages. */
+uint32_t recording_programs(const struct recording *r);
+
 /* The number-th receive of a node; NULL: it got no message. */
 const struct rec_receive *recording_receive(const struct recording *r, uint32_t node, uint64_t number);
 /* The number-th handler of a node; NULL: it did not run. */

@@ -205,6 +205,7 @@ static void look_at(struct search *s, const json_t *record, size_t run)
     struct recording *r = recording_load(path, &error);
     if (r) {
         s->base_nodes = r->nodes;
+        s->programs = s->programs ? s->programs : recording_programs(r);
         struct event_rows t = event_rows_of(r);
         struct order o = order_of(r, &t);
         struct clocks c = clocks_of(r, &t, MOST_CLOCKS);

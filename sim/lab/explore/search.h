@@ -48,6 +48,7 @@ struct search {
     size_t most;      /* runs in all */
     size_t round, seeds, planned;
     uint32_t base_nodes; /* of the base's recording */
+    uint32_t programs;   /* of the first recording */
 
     struct explored *runs;
     size_t run_count;
