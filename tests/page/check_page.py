@@ -340,6 +340,8 @@ def check_trace_rest(b):
         nodes: [...names.map(name => ({name, ran: true})), {name: 'node 7', ran: false}], end: '5', pieceCount: 7, messageCount: 2, complete: true}).small)""")
     rule("a trace's card: its host is none of the nodes", [t.split(";")[0] for t in said] ==
          ["farm on 2 nodes of delta", "farm on 1 node of delta and its host"], said)
+    said = b.run("return [20000000000n, 253300000000n].map(to => spanText({from: 0n, to, end: 253300000000n}).replaceAll('\u00a0', ' '))")
+    rule("a part of a run is called that", said == ["from 0 s to 20.00 ms of 253.3 ms", "in 253.3 ms"], said)
     said = b.run("""const m = sumMatrix({nodes: [['node 0', true], ['node 1', false], ['host', true]].map(([name, ran]) => ({name, ran})),
         columns: {'message.from': [0, 2], 'message.to': [2, -1], 'message.bytes': {number: () => 8}}, messageCount: 2}, 'bytes', null);
         return [m.names.join(), m.count, Array.from(m.sums).join('')]""")

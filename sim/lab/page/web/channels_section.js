@@ -37,7 +37,8 @@ function channelsSection(trace, name) {
 
 /* Which part of the run is shown; the parts as an animation. */
 function channelControls(map) {
-    const {trace} = map, note = element('span', {class: 'note', role: 'status'}), slider = element('input', {
+    const {trace} = map, whole = partText(trace) || 'the whole run';
+    const note = element('span', {class: 'note', role: 'status'}), slider = element('input', {
         type: 'range',
         min: '-1',
         max: String(trace.bins - 1),
@@ -50,7 +51,7 @@ function channelControls(map) {
         const length = (trace.stop - trace.start) / trace.bins;
         note.textContent =
             bin < 0
-                ? 'the whole run'
+                ? whole
                 : `${roughly(trace.start + bin * length)} to ${roughly(trace.start + (bin + 1) * length)}`;
         drawChannels(map);
     };
@@ -64,9 +65,9 @@ function channelControls(map) {
         play.textContent = 'Stop';
         timer = setInterval(() => show((map.bin + 1) % trace.bins), 125);
     });
-    note.textContent = 'the whole run';
+    note.textContent = whole;
     return element('div', {class: 'controls'}, labelled('Part of the run', slider), play,
-        button('Whole run', () => show(-1)), note);
+        button(partText(trace) ? 'All of it' : 'Whole run', () => show(-1)), note);
 }
 
 /* Places of all addresses, in units of one position. A hypercube's lower dimensions go to the right, the

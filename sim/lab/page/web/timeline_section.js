@@ -5,7 +5,7 @@ function traceSections(trace, name) {
     const section = addSection(`Timeline of ${baseName(trace.program)} on ${trace.machine}`, 'Timeline: ' + baseName(name),
         [...commandText(trace.command), ` (${name}): ${nodesText(trace.rows)}, ${
             plural(trace.pieceCount,
-                'interval')}, ${plural(trace.messageCount, 'message')} in ${roughly(Number(trace.end))}.`],
+                'interval')}, ${plural(trace.messageCount, 'message')} ${spanText(trace)}.`],
         name);
     if (!trace.rows.length) {
         section.append(element('p', {}, 'The trace has no node.'));

@@ -295,12 +295,24 @@ function nodesText(rows, machine) {
            (nodes < rows.length ? ` and ${machine ? 'its' : 'the'} host` : '');
 }
 
+/* "in 253.3 ms"; of a trace of which the page has a part: "from 0 s to 20.00 ms of 253.3 ms". */
+function spanText(trace) {
+    const part = partText(trace), end = roughly(Number(trace.end));
+    return part ? `from ${part} of ${end}` : `in ${end}`;
+}
+
+/* "0 s to 20.00 ms"; '': the page has the whole run. */
+function partText({from, to, end}) {
+    return from > 0n || to < end ? `${roughly(Number(from))} to ${roughly(Number(to))}` : '';
+}
+
 function traceSummary(trace) {
+    const part = partText(trace);
     return {
         kind: 'Trace',
         big: roughly(Number(trace.end)),
         small: `${baseName(trace.program)} on ${nodesText(trace.nodes.filter(n => n.ran), trace.machine)}; ${
-            plural(trace.pieceCount, 'interval')}, ${plural(trace.messageCount, 'message')}${
+            plural(trace.pieceCount, 'interval')}, ${plural(trace.messageCount, 'message')}${part ? ' from ' + part : ''}${
             trace.complete ? '' : '; the trace ends early'}`
     };
 }
