@@ -229,6 +229,26 @@ static void time_that_moved_is_told_by_function_first(void **state)
     compare_free(p);
 }
 
+/* Of microseconds too; what only rounding left of a sum is nothing. */
+static void small_moves_have_four_digits(void **state)
+{
+    (void)state;
+    struct compare_point *p = compared(PROFILE("0.000001", "0.3", "0.5"),
+                                       PROFILE("0.00000131", "0.3000000005", "0.4999996895"), NULL, false);
+    char *text = printed(p);
+    assert_non_null(strstr(text, "mix (a.c) +0.0000003100 s (+31.0 %)\n"
+                                 "    nodes     memcpy called by pack (a.c) +0.0000000005 s (+0.0 %)\n"
+                                 "    nodes     idle: crecv -0.0000003105 s (-0.0 %)\n"
+                                 "    nodes     in all: functions +0.0000003105 s, idle -0.0000003105 s\n"));
+    free(text);
+    compare_free(p);
+    p = compared(PROFILE("1.0", "0.3", "0.1"), PROFILE("1.1", "0.2", "0.1"), NULL, false);
+    text = printed(p);
+    assert_non_null(strstr(text, "    nodes     in all: nothing\n")); /* 0.1 - 0.1 is -1e-17 or so */
+    free(text);
+    compare_free(p);
+}
+
 static void changes_stand_in_one_column(void **state)
 {
     (void)state;
@@ -343,6 +363,7 @@ int main(void)
         cmocka_unit_test(where_files_are_and_wall_times_are_left_out),
         cmocka_unit_test(a_point_is_called_by_its_axes),
         cmocka_unit_test(time_that_moved_is_told_by_function_first),
+        cmocka_unit_test(small_moves_have_four_digits),
         cmocka_unit_test(changes_stand_in_one_column),
         cmocka_unit_test(without_a_profile_it_is_told_by_class),
         cmocka_unit_test(a_baseline_is_the_same_when_read_again),

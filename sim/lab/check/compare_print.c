@@ -110,38 +110,48 @@ static const char *class_word(const struct compare_point *p, const char *class)
     return is_one_class(p) ? "nodes" : strcmp(class, "with_handlers") == 0 ? "handlers" : class;
 }
 
-static void print_move(const struct compare_point *p, const struct compare_move *m, FILE *out)
-{
-    static const char *const kinds[] = {"", "system: ", "idle: ", ""};
-    double change = m->after_s - m->before_s;
-    fprintf(out, "    %-9s %s%s %+.6f s", class_word(p, m->class), kinds[m->kind], m->name, change);
-    if (m->before_s != 0)
-        fprintf(out, " (%+.1f %%)", 100 * change / fabs(m->before_s));
-    else
-        fputs(" (was not there)", out);
-    fputc('\n', out);
-}
-
 static double change_of(const struct compare_move *m)
 {
     return m->after_s - m->before_s;
 }
 
+/* With so many decimals the point's largest change has four digits; at least as many as a run's figures in
+ * seconds have, and at most those of a picosecond. */
+static int decimals_of_moves(const struct compare_point *p)
+{
+    double most = 0;
+    for (size_t i = 0; i < p->move_count; i++)
+        most = fmax(most, fabs(change_of(&p->moves[i])));
+    return most > 0 ? (int)fmin(fmax(3 - floor(log10(most)), 6), 12) : 6;
+}
+
+static void print_move(const struct compare_point *p, const struct compare_move *m, int decimals, FILE *out)
+{
+    static const char *const kinds[] = {"", "system: ", "idle: ", ""};
+    fprintf(out, "    %-9s %s%s %+.*f s", class_word(p, m->class), kinds[m->kind], m->name, decimals,
+            change_of(m));
+    if (m->before_s != 0)
+        fprintf(out, " (%+.1f %%)", 100 * change_of(m) / fabs(m->before_s));
+    else
+        fputs(" (was not there)", out);
+    fputc('\n', out);
+}
+
 /* Prints the largest moves of a kind; the small ones as a sum. */
-static void print_kind(const struct compare_point *p, size_t from, size_t to, FILE *out)
+static void print_kind(const struct compare_point *p, size_t from, size_t to, int decimals, FILE *out)
 {
     double rest = 0, least = LEAST_MOVE * fabs(change_of(&p->moves[from]));
     size_t shown = from;
     while (shown < to && shown - from < MOST_MOVES && fabs(change_of(&p->moves[shown])) >= least)
-        print_move(p, &p->moves[shown++], out);
+        print_move(p, &p->moves[shown++], decimals, out);
     for (size_t i = shown; i < to; i++)
         rest += change_of(&p->moves[i]);
     if (shown < to)
-        fprintf(out, "    %zu more, %+.6f s\n", to - shown, rest);
+        fprintf(out, "    %zu more, %+.*f s\n", to - shown, decimals, rest);
 }
 
 /* Prints "others    in all: functions +1.000000 s, idle -0.500000 s". */
-static void print_class(const struct compare_point *p, const char *class, FILE *out)
+static void print_class(const struct compare_point *p, const char *class, int decimals, FILE *out)
 {
     static const char *const kinds[COMPARE_KINDS] = {"functions", "system", "idle", "ended"};
     double sum[COMPARE_KINDS] = {0};
@@ -151,11 +161,11 @@ static void print_class(const struct compare_point *p, const char *class, FILE *
             sum[p->moves[i].kind] += change_of(&p->moves[i]);
     fprintf(out, "    %-9s in all: ", class_word(p, class));
     for (int kind = 0; kind < COMPARE_KINDS; kind++)
-        if (sum[kind] != 0) {
-            fprintf(out, "%s%s %+.6f s", mark, kinds[kind], sum[kind]);
+        if (fabs(sum[kind]) >= 0.5 * pow(10, -decimals)) { /* what is less is rounding */
+            fprintf(out, "%s%s %+.*f s", mark, kinds[kind], decimals, sum[kind]);
             mark = ", ";
         }
-    fputc('\n', out);
+    fputs(*mark ? "\n" : "nothing\n", out);
 }
 
 /* Functions come first: other times usually change because of them. */
@@ -164,15 +174,17 @@ static void print_moves(const struct compare_point *p, FILE *out)
     const char *class;
     json_t *value;
     size_t from = 0;
+    int decimals = decimals_of_moves(p);
     if (!p->move_count)
         return;
     fprintf(out, "  where the time of all nodes%s moved:\n", is_one_class(p) ? "" : " of a class");
     for (size_t to = 1; to <= p->move_count; to++)
         if (to == p->move_count || p->moves[to].kind != p->moves[from].kind) {
-            print_kind(p, from, to, out);
+            print_kind(p, from, to, decimals, out);
             from = to;
         }
-    json_object_foreach(json_object_get(p->after, "where"), class, value) print_class(p, class, out);
+    json_object_foreach(json_object_get(p->after, "where"), class, value)
+        print_class(p, class, decimals, out);
 }
 
 /* --- a point -------------------------------------------------------------------------------------------- */
