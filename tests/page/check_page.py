@@ -346,6 +346,8 @@ def check_trace_rest(b):
         columns: {'message.from': [0, 2], 'message.to': [2, -1], 'message.bytes': {number: () => 8}}, messageCount: 2}, 'bytes', null);
         return [m.names.join(), m.count, Array.from(m.sums).join('')]""")
     rule("a matrix has the nodes that had a program", said == ["node 0,host,services", 3, "080008000"], said)
+    said = b.run("return ['node 1', 'host'].map(name => nodeParts([{name: 'node 0'}, {name}])[3][1])")
+    rule("a run's bars: only where a host loads programs, nodes have none at first", said == ["ended", "no program"], said)
     frame = [g for g in why.find_elements(By.CSS_SELECTOR, "g[role=button]") if g.get_attribute("aria-label").startswith("crecv")][0]
     rule("flame graph: a frame's share", frame.get_attribute("aria-label") == "crecv, 30.00 %", frame.get_attribute("aria-label"))
     wide = b.run("return arguments[0].querySelector('rect').getBBox().width", frame)

@@ -1,8 +1,11 @@
 /* run_section.js - results of a run: where each node's time went. */
-const NODE_PARTS = [
-    ['busy_s', 'computing', 'computing'], ['system_s', 'system', 'system'],
-    ['idle_s', 'waiting (idle)', 'waiting'], ['away_s', 'ended, or no program yet', 'ended']
-];
+function nodeParts(nodes) {
+    const away = nodes.some(n => n.name === 'host') ? 'no program' : 'ended';
+    return [
+        ['busy_s', 'computing', 'computing'], ['system_s', 'system', 'system'],
+        ['idle_s', 'waiting (idle)', 'waiting'], ['away_s', away, 'ended']
+    ];
+}
 
 function runSummary(data) {
     return {
@@ -44,7 +47,7 @@ function nodeTable(nodes) {
     return figureTable('Each node',
         [
             {name: 'Node', text: true, get: n => n.name},
-            ...NODE_PARTS.map(([key, text]) => ({name: text + ', s', get: n => n[key]})),
+            ...nodeParts(nodes).map(([key, text]) => ({name: text + ', s', get: n => n[key]})),
             {name: 'ended at, s', get: n => n.ended_s}, {name: 'handlers', get: n => n.handlers},
             {name: 'messages sent', get: n => n.messages_sent},
             {name: 'memory, bytes', get: n => n.memory_peak_bytes}
@@ -77,7 +80,7 @@ function waitsTable(nodes) {
 /* A column a node: computing, system and idle time, of the whole run. */
 function nodeBars(nodes, total) {
     const holder = element('div'), tip = element('div', {class: 'tip', role: 'status'});
-    const legend = element('ul', {class: 'legend'}, NODE_PARTS.map(([, text, c]) => {
+    const legend = element('ul', {class: 'legend'}, nodeParts(nodes).map(([, text, c]) => {
         const box = element('span', {class: 'swatch'});
         box.style.backgroundColor = `var(--${c})`;
         return element('li', {class: 'key'}, box, text);
@@ -105,9 +108,10 @@ function drawBars(nodes, total, width, tip) {
                 axisNumber(t * unit.times)));
     svg.append(grid);
     const gap = x(1) - x(0) > 4 ? Math.min(3, (x(1) - x(0)) * 0.15) : 0;
+    const parts = nodeParts(nodes);
     nodes.forEach((n, i) => {
         let sum = 0;
-        for (const [key, , c] of NODE_PARTS) {
+        for (const [key, , c] of parts) {
             const value = n[key] || 0;
             svg.append(svgElement('rect', {
                 x: x(i),
@@ -138,7 +142,7 @@ function drawBars(nodes, total, width, tip) {
         const i = Math.floor(x.invert(e.clientX - svg.getBoundingClientRect().left)), n = nodes[i];
         tip.textContent =
             n ? `${n.name}\n` +
-                    NODE_PARTS.map(([key, text]) => `${text} ${figure(n[key] || 0, 6)} s`).join('\n')
+                    parts.map(([key, text]) => `${text} ${figure(n[key] || 0, 6)} s`).join('\n')
               : '';
         tip.style.left = Math.max(0, Math.min(x(i) + 14, width - tip.offsetWidth - 4)) + 'px';
         tip.style.top = '2rem';

@@ -42,7 +42,7 @@ class Trace {
     /* Where there is a host, it loads the nodes' programs. */
     pieceNames() {
         return this.rows.some(row => row.name === 'host') ?
-            [...PIECE_NAMES.slice(0, -1), 'ended, or no program yet'] : PIECE_NAMES;
+            [...PIECE_NAMES.slice(0, -1), 'no program'] : PIECE_NAMES;
     }
     pieceName(row, i) {
         const later = i < row.first + row.pieces - 1;
