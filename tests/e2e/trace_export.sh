@@ -37,6 +37,11 @@ same_as_run "the model program" -m ipsc860 -n 16 "$BUILD/app/model" -sphere 48 4
 check "the model program: there are handlers" grep -q '"name":"handler"' t.json
 check "and messages" test "$(wc -l <messages.json)" -gt 100
 check "what msgwait is given is an id, no type" eval "grep -q '\"name\":\"msgwait\".*\"id\":1,' t.json && ! grep -q '\"name\":\"msgwait\".*\"type\":' t.json"
+export_trace -f csv --table calls t.trace
+check "nor in the table of calls, where others have theirs" awk -F, '
+    $5 == "msgwait" { wrong += $7 != ""; ids++ }
+    $5 == "csend" { wrong += $7 == "" }
+    END { exit wrong || !ids }' out
 
 # A part.
 run -m ipsc860 -n 8 --trace ring.trace ring

@@ -142,20 +142,13 @@ static void taken_arguments(struct writing *w, int32_t message)
     time_argument(w, "blocked_us", blocked(t, m));
 }
 
-/* Is the call given an id: msgwait, iowait or one of their kin? */
-static bool takes_id(const char *call)
-{
-    call += *call == '_';
-    return !strncmp(call, "msg", 3) || !strncmp(call, "io", 2);
-}
-
 static void call_arguments(struct writing *w, int32_t call)
 {
     const struct trace *t = w->l->trace;
     const struct trace_call *c = &t->calls[call];
     const char *called = trace_called_name(t, c);
     if (c->has_type)
-        number_argument(w, takes_id(t->names[c->name]) ? "id" : "type", c->type);
+        number_argument(w, trace_takes_id(t, c) ? "id" : "type", c->type);
     if (strcmp(called, t->names[c->name]) != 0)
         text_argument(w, "called", called);
     if (c->unfinished)

@@ -102,7 +102,7 @@ static void put_calls(const struct trace *t, FILE *out, const struct export_prog
         put_span(out, c->begin, c->unfinished ? VT_NEVER : c->end);
         put_text(out, t->names[c->name]);
         put_text(out, trace_called_name(t, c));
-        put_number(out, c->has_type, c->type);
+        put_number(out, c->has_type && !trace_takes_id(t, c), c->type);
         fprintf(out, "%d,%d,", c->in_handler, c->unfinished);
         put_index(out, c->sent);
         put_index(out, c->taken);

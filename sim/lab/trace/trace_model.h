@@ -245,6 +245,8 @@ void trace_around(const struct trace *t, const struct trace_piece *list, size_t 
                   struct trace_around *around);
 /* What the program called: "csend", or the library's function that did it for the program: "gsync". */
 const char *trace_called_name(const struct trace *t, const struct trace_call *c);
+/* Is the call's type the id that it was given, as msgwait's and iowait's is? */
+bool trace_takes_id(const struct trace *t, const struct trace_call *c);
 
 /* --- channels --- */
 

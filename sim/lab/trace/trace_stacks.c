@@ -258,6 +258,13 @@ const char *trace_called_name(const struct trace *t, const struct trace_call *c)
     return inside ? own : name;
 }
 
+bool trace_takes_id(const struct trace *t, const struct trace_call *c)
+{
+    const char *name = t->names[c->name];
+    name += *name == '_';
+    return !strncmp(name, "msg", 3) || !strncmp(name, "io", 2);
+}
+
 char *trace_communicator(int32_t pid)
 {
     char *text = NULL;
