@@ -204,7 +204,10 @@ def check_printed(b):
     b.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
     breaks = b.run("""return [...document.querySelectorAll('main > section > h2 + p')].map(p => {
         const style = getComputedStyle(p); return `${style.breakAfter} ${style.breakInside}`; })""")
+    hints = b.run("""return [...document.querySelectorAll('p, span')].filter(p => p.checkVisibility() && !p.firstElementChild &&
+        /Click|click|mouse/.test(p.textContent)).map(p => p.textContent)""")
     b.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+    rule("printed: no hints that are for the screen", hints == [], hints)
     rule("printed: a heading and what follows it stay with their picture", breaks and set(breaks) == {"avoid avoid"}, breaks)
 
 

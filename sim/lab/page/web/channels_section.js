@@ -17,15 +17,14 @@ function channelsSection(trace, name) {
             'aria-label': 'Map of the channels; the table behind has the figures'
         })
     };
+    const none = element('p', {class: 'hint'}, 'The channel under the mouse.');
     const plot = element('div', {class: 'plot'}, map.canvas),
-          readout = element(
-              'div', {class: 'readout', role: 'status'}, element('p', {}, 'The channel under the mouse.'));
+          readout = element('div', {class: 'readout', role: 'status'}, none);
     layOut(map);
     map.canvas.addEventListener('pointermove', e => {
         map.near = nearestChannel(map, e.offsetX, e.offsetY);
         drawChannels(map);
-        readout.replaceChildren(
-            element('p', {}, map.near >= 0 ? channelText(map, map.near) : 'The channel under the mouse.'));
+        readout.replaceChildren(map.near >= 0 ? element('p', {}, channelText(map, map.near)) : none);
     });
     section.append(channelControls(map), plot, channelScale(map), readout,
         later('The table behind', () => channelTable(trace)));

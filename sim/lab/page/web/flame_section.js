@@ -30,15 +30,18 @@ function flameSummary(text) {
 
 function flameSection(text, name) {
     const section = addSection('Flame graph', 'Flame graph: ' + baseName(name),
-        `The width of a frame is its share of all time; what it called stands on it (${
-            name}). A click, or Enter, widens a frame.`, name);
+        [
+            `The width of a frame is its share of all time; what it called stands on it (${name}).`,
+            element('span', {class: 'hint'}, ' A click, or Enter, widens a frame.')
+        ],
+        name);
     const root = readStacks(text), flame = {
         root,
         top: root,
         query: '',
         holder: element('div'),
         readout: element('div', {class: 'readout', role: 'status'},
-            element('p', {}, 'The frame under the mouse, or that Tab leads to.'))
+            element('p', {class: 'hint'}, 'The frame under the mouse, or that Tab leads to.'))
     };
     const input = element('input', {
         type: 'search',

@@ -21,7 +21,7 @@ function matrixSection(trace, name, timeline) {
         showScale(scaleKey, matrix, state.figure);
         tell();
     };
-    const tell = () => readout.replaceChildren(element('p', {},
+    const tell = () => readout.replaceChildren(element('p', {class: at ? null : 'hint'},
         at ? pairText(matrix, at, state.figure)
            : 'The pair under the mouse, or that the arrow keys lead to.'));
     const go = (from, to) => {

@@ -69,7 +69,7 @@ class Timeline {
         this.fillLegend();
         this.readout = element('div',
             {class: 'readout', id: this.section.id + '-readout', role: 'status', 'aria-live': 'polite'},
-            element('p', {}, 'Click a piece, or press ', keys(','), ' or ', keys('.'), ' to see what it is.'));
+            element('p', {class: 'hint'}, 'Click a piece, or press ', keys(','), ' or ', keys('.'), ' to see what it is.'));
         this.painter = new TimelinePainter(this.trace, this.canvas);
         this.canvas.timeline = this; /* for whoever drives the page */
         this.canvas.addEventListener('keydown', e => this.key(e));
