@@ -202,9 +202,7 @@ function axisUnit(label, most) {
 }
 
 function axisNumber(t) {
-    const size = Math.abs(t);
-    return size >= 1e6 || (size < 1e-3 && size > 0) ? d3.format('.6~s')(t)
-                                                    : String(Number(t.toPrecision(6)));
+    return Math.abs(t) >= 1e6 ? d3.format('.6~s')(t) : String(Number(t.toPrecision(6)));
 }
 
 function drawSeries(s, points, x, y) {
