@@ -16,7 +16,8 @@
 struct task {
     struct planned_run *run; /* NULL: this slot is free */
     struct pool_job job;
-    char *folder, *json, *record, *replay, *cfs, **argv;
+    char *folder; /* stays for the next task of the slot */
+    char *json, *record, *replay, *cfs, **argv;
 };
 
 struct doing {
@@ -98,7 +99,8 @@ static bool make_files(struct doing *d, struct task *t)
 {
     const struct subject *s = d->place->subject;
     const char *scratch = d->place->scratch;
-    t->folder = key_path(scratch, t->run->key, "");
+    if (!t->folder)
+        t->folder = xasprintf("%s/%td", scratch, t - d->tasks);
     t->json = key_path(scratch, t->run->key, ".json");
     t->record = key_path(scratch, t->run->key, ".record");
     t->replay = t->run->schedule ? key_path(scratch, t->run->key, ".replay") : NULL;
@@ -112,7 +114,7 @@ static bool make_files(struct doing *d, struct task *t)
 
 static bool begin_task(struct doing *d, struct task *t, struct planned_run *run)
 {
-    *t = (struct task){.run = run};
+    *t = (struct task){.run = run, .folder = t->folder};
     d->running++;
     if (!make_files(d, t))
         return false;
@@ -131,7 +133,6 @@ static void end_task(struct doing *d, struct task *t)
 {
     char *files[] = {t->json, t->record, t->replay};
     point_locks_release(d->place->locks, t->run->key);
-    own_folder_remove(t->folder);
     if (t->cfs)
         own_folder_remove(t->cfs);
     for (int i = 0; i < 3; i++)
@@ -139,12 +140,11 @@ static void end_task(struct doing *d, struct task *t)
             unlink(files[i]);
     pool_clear(&t->job, 1);
     words_free(t->argv);
-    free(t->folder);
     free(t->json);
     free(t->record);
     free(t->replay);
     free(t->cfs);
-    *t = (struct task){0};
+    *t = (struct task){.folder = t->folder};
     d->running--;
 }
 
@@ -335,6 +335,8 @@ bool batch_do(struct batch_place *place, struct planned_run *runs, size_t count,
     place->signal = end.stopped;
     take_results(&d);
     words_free(d.env);
+    for (unsigned i = 0; i < place->at_once; i++)
+        free(d.tasks[i].folder);
     free(d.tasks);
     *error = d.error;
     return !d.error && !end.stopped;

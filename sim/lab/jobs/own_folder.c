@@ -1,7 +1,9 @@
 /* own_folder.c - see own_folder.h. */
 #include "lab/jobs/own_folder.h"
 #include <dirent.h>
+#include <errno.h>
 #include <fts.h>
+#include <limits.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,25 +20,68 @@ static bool is_later(const char *path, const struct timespec *time)
                                               : st.st_ctim.tv_nsec > time->tv_nsec);
 }
 
-static void link_one(const char *path, const char *like, const char *name, const struct timespec *until)
+/* What the folder is made of. */
+struct plan {
+    const char *path, *like, *except;
+    const struct timespec *until;
+};
+
+/* Where the link of that name leads to; malloc'd. NULL: the folder has none. */
+static char *wanted(const struct plan *p, const char *name)
 {
-    char *from = xasprintf("%s/%s", like, name), *to = xasprintf("%s/%s", path, name);
-    int made = is_later(from, until) ? 0 : symlink(from, to);
+    char *from = xasprintf("%s/%s", p->like, name);
+    struct stat st;
+    if (!strcmp(name, ".") || !strcmp(name, "..") || (p->except && !strcmp(name, p->except)) ||
+        lstat(from, &st) || is_later(from, p->until)) {
+        free(from);
+        return NULL;
+    }
+    return from;
+}
+
+static bool leads_to(const char *link, const char *from)
+{
+    char now[PATH_MAX];
+    ssize_t length = readlink(link, now, sizeof now);
+    return length > 0 && (size_t)length == strlen(from) && !memcmp(now, from, (size_t)length);
+}
+
+static void link_one(const struct plan *p, const char *name)
+{
+    char *from = wanted(p, name), *to = xasprintf("%s/%s", p->path, name);
+    int made = from ? symlink(from, to) : 0;
     (void)made; /* without the link the program misses the file, and says so */
     free(from);
     free(to);
 }
 
-bool own_folder_make(const char *path, const char *like, const char *except, const struct timespec *until)
+static void remove_other(const struct plan *p, const char *name)
 {
-    DIR *all = mkdir(path, 0700) ? NULL : opendir(like);
+    char *from = wanted(p, name), *to = xasprintf("%s/%s", p->path, name);
+    if (strcmp(name, ".") && strcmp(name, "..") && !(from && leads_to(to, from)))
+        own_folder_remove(to);
+    free(from);
+    free(to);
+}
+
+static bool for_all(const struct plan *p, const char *folder,
+                    void (*what)(const struct plan *p, const char *name))
+{
+    DIR *all = opendir(folder);
     if (!all)
         return false;
     for (struct dirent *e; (e = readdir(all));)
-        if (strcmp(e->d_name, ".") && strcmp(e->d_name, "..") && (!except || strcmp(e->d_name, except)))
-            link_one(path, like, e->d_name, until);
+        what(p, e->d_name);
     closedir(all);
     return true;
+}
+
+bool own_folder_make(const char *path, const char *like, const char *except, const struct timespec *until)
+{
+    const struct plan p = {path, like, except, until};
+    if (!mkdir(path, 0700) || (errno == EEXIST && for_all(&p, path, remove_other)))
+        return for_all(&p, like, link_one);
+    return false;
 }
 
 void own_folder_remove(const char *path)

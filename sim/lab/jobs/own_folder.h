@@ -5,7 +5,8 @@
 #include <time.h>
 
 /* Makes the folder `path` with links to all that is in `like`, but for the name `except` (NULL: none), and
- * for files that have changed after `until` (NULL: all count). False with errno. */
+ * for files that have changed after `until` (NULL: all count). If the folder is there, what a run has left in
+ * it is removed, and links that are right stay: they cost most of a short run. False with errno. */
 bool own_folder_make(const char *path, const char *like, const char *except, const struct timespec *until);
 /* Removes the folder with all that the run has left in it. */
 void own_folder_remove(const char *path);
