@@ -190,6 +190,34 @@ check "--same-file compares a file of /cfs" ended_with 1
 explore unfiled -n 4 --runs 20 there
 check "without it, only what is printed counts" ended_with 0
 
+# --- each run finds the files as they are here, whatever the one before it has left in their place ---
+cat >leaves.c <<'END'
+#include <stdio.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "nx.h"
+int main(void)
+{
+    char word[8] = "";
+    FILE *f = fopen("result", "r");
+    if (mynode())
+        return 0;
+    fscanf(f, "%7s", word);
+    fclose(f);
+    if (word[0] != 'k' || !access("left", F_OK) || !access("inside/left", F_OK))
+        printf("what another run has left\n");
+    unlink("result");
+    fclose(fopen("result", "w"));
+    mkdir("inside", 0700);
+    fclose(fopen("inside/left", "w"));
+    fclose(fopen("left", "w"));
+    return 0;
+}
+END
+build leaves.c leaves
+explore of/leaves -j 1 -n 2 --runs 5 --json leaves.json leaves
+check "a run finds what is here, and nothing that another has left" test "$(figure leaves.json "len(d['outcomes']), d['runs_made']")" = "1 5"
+
 # --- standard input; a program that fails with the usual timing, too ---
 cat >reads.c <<'END'
 #include <stdio.h>
