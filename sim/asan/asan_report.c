@@ -217,10 +217,16 @@ static void print_block(FILE *f, const struct node *n, const struct asan_block *
     print_stack(f, n, asan_stacks_at(n->asan->stacks, b->allocated));
 }
 
+/* Has an earlier call told NX of the buffer? */
+static bool is_posted(const struct asan_access *a)
+{
+    return !a->call || strncmp(a->call, "msg", 3) == 0;
+}
+
 /* Whose buffer NX has written to, or read. */
 static const char *buffer_of(const struct asan_access *a)
 {
-    return !a->call ? "hrecv" : strncmp(a->call, "msg", 3) == 0 ? "irecv" : a->call;
+    return !is_posted(a) ? a->call : a->call ? "irecv" : "hrecv";
 }
 
 static void print_advice(FILE *f, const struct asan_access *a, uint8_t why, const struct object *o)
@@ -233,8 +239,9 @@ static void print_advice(FILE *f, const struct asan_access *a, uint8_t why, cons
     else if (why == NXC_ASAN_OTHERS)
         fputs("send what a pointer points to: on another node an address means nothing", f);
     else if (!a->site)
-        fprintf(f, "give %s a buffer of at least %s, or a smaller length", buffer_of(a),
-                bytes_text(a->bytes).text);
+        fprintf(f, "give %s a buffer of at least %s%s, or a smaller length", buffer_of(a),
+                bytes_text(a->bytes).text,
+                why == NXC_ASAN_LOCAL && is_posted(a) ? " that is there until the message comes" : "");
     else if (o->name)
         fprintf(f, "make %s larger, or keep within it", o->name);
     else

@@ -87,6 +87,33 @@ check "the program's own calls, a recursion in one line" diff - <(sed -n '/^    
   to do: give irecv a buffer of at least 72 bytes, or a smaller length
 END
 
+cat >waits.c <<'END'
+#include <nx.h>
+void come(long type, long count, long node, long pid)
+{
+}
+int main(void)
+{
+    long all[8] = {1}, news[4], answer;
+    if (mynode() == 0) {
+        csend(1, (char *)all, sizeof all, 1, 0);
+        csend(2, (char *)all, sizeof(long), 1, 0);
+        return 0;
+    }
+    hrecv(1, (char *)news, sizeof all, come);
+    crecv(2, (char *)&answer, sizeof answer);
+    return (int)news[1];
+}
+END
+"$BUILD/nxcc" -O0 -g --asan -o waits waits.c
+run -q -n 2 waits
+check "a handler's message that comes while the program waits for another is hrecv's" \
+    diff - <(sed -n '2,/^  to do/p' err) <<'END'
+  the message of an hrecv, which has interrupted the program
+    in main (waits.c:14)
+  to do: give hrecv a buffer of at least 64 bytes that is there until the message comes, or a smaller length
+END
+
 # --- a file without --asan: its frames lie where functions with red zones have returned ---
 
 cat >plain.c <<'END'
