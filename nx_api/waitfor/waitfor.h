@@ -166,7 +166,8 @@ struct waitfor {
     struct waitfor_node *nodes;
     const char *program; /* for people; NULL: not known */
     uint64_t now_ps;
-    const char *clock; /* "virtual time", or "time since the program began" */
+    const char *clock;  /* "virtual time", or "time since the program began" */
+    bool may_lack_host; /* nobody has received anything, and the program knows of a host, but none is there */
     /* By waitfor_analyse(). */
     bool analysed;
     uint32_t *cycle; /* a shortest cycle: each waits for the next, the last for the first. NULL: none */

@@ -430,6 +430,13 @@ static const char *look_first(struct waitfor *w, const char *which)
     return waitfor_text(w, text);
 }
 
+/* Does it wait for a message that a host program could send? */
+static bool could_be_hosts(const struct waitfor_node *n)
+{
+    bool others = n->cause == WAITFOR_CYCLE || n->cause == WAITFOR_KNOT || n->cause == WAITFOR_ORPHAN;
+    return others && n->what == WAITFOR_MESSAGE && !n->operation && n->select.node == WAITFOR_ANY;
+}
+
 static const char *remedy(const struct waitfor *w, const struct waitfor_node *n)
 {
     static const char *const TEXTS[WAITFOR_CAUSES] = {
@@ -462,6 +469,8 @@ static const char *remedy(const struct waitfor *w, const struct waitfor_node *n)
         return "All nodes have to call the global operations in the same order.";
     if (n->cause == WAITFOR_CYCLE && n->what == WAITFOR_END)
         return "One of the cycle has to end, or to send, without waiting for the others.";
+    if (w->may_lack_host && could_be_hosts(n))
+        return "A node has to send first, or a host program: touchstone run --host HOST PROGRAM";
     return TEXTS[n->cause];
 }
 

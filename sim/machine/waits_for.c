@@ -232,6 +232,8 @@ struct waitfor *waits_for(const struct node_system *s)
 {
     struct waitfor *w = waitfor_new(s->count + (s->host != NULL));
     struct filling f = {s, w, backtrace_lines_new()};
+    w->may_lack_host = !s->host && s->cfg->host.clock_hz && !s->messages &&
+                       node_image_uses(s->nodes[0]->guest.file, "myhost");
     for (uint32_t i = 0; i < s->count; i++) {
         fill(&f, s->nodes[i], &w->nodes[i]);
         w->now_ps = vt_max(w->now_ps, s->nodes[i]->stats.ended_at);

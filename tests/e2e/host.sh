@@ -117,6 +117,9 @@ check "deadlock: exit status 2" ended_with 2
 check "deadlock: what the host waits for" said '^  host: crecv\(77\) since'
 check "deadlock: what the nodes wait for" said '^  node 2: crecv\(1\) since'
 check "deadlock: which have no program" said '^  nodes 0, 1, 3: no program'
+run -q -m ipsc860 -n 4 farm_node
+check "a node program without its host: where the first message may come from" \
+    said '^    A node has to send first, or a host program: touchstone run --host HOST PROGRAM$'
 run --host leaves counts
 check "the host ends first: exit status 0" ended_with 0
 check "the host ends first: says who is killed" said '^  node 3: crecv\(1\) since'

@@ -140,6 +140,21 @@ static void all_wait_for_any(void **state)
                 "    One of them has to send before it receives.");
 }
 
+static void all_wait_for_any_where_a_host_may_be_missing(void **state)
+{
+    (void)state;
+    for (uint32_t count = 2; count <= 3; count++) {
+        struct waitfor *w = waitfor_new(count);
+        for (uint32_t i = 0; i < count; i++)
+            receives(w, i, 7, WAITFOR_ANY);
+        w->may_lack_host = true;
+        waitfor_analyse(w);
+        assert_string_equal(w->nodes[0].remedy, "A node has to send first, or a host program: touchstone run "
+                                                "--host HOST PROGRAM");
+        waitfor_free(w);
+    }
+}
+
 static void expect_why(const struct waitfor *w, uint32_t i, const char *sentence)
 {
     assert_string_equal(w->nodes[i].why, sentence);
@@ -699,6 +714,7 @@ int main(void)
         cmocka_unit_test(the_shortest_of_two_cycles),
         cmocka_unit_test(two_operations_in_different_orders),
         cmocka_unit_test(all_wait_for_any),
+        cmocka_unit_test(all_wait_for_any_where_a_host_may_be_missing),
         cmocka_unit_test(some_wait_for_any_and_others_have_ended),
         cmocka_unit_test(one_waits_for_any_and_all_for_that),
         cmocka_unit_test(a_message_of_another_type),
