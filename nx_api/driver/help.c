@@ -43,7 +43,7 @@ static const struct own_option {
                 "are translated"},
                {"-lkmath", NULL, "the reference BLAS and LAPACK, counted; -lblas and -llapack are the same"},
                {"--as-intel", "DIR",
-                "make links in DIR by the names that makefiles of the time use: icc, if77,\n"
+                "make links in DIR by the names that makefiles of the time use: icc, if77, sicc, sif77,\n"
                 "ar860, as860, nm860, size860, strip860, and cc and f77 for host programs"},
                {"--as-mpi", "DIR",
                 "make links in DIR by the names of MPI's compilers: mpicc, mpif77, mpif90, mpifort, mpicxx.\n"

@@ -144,8 +144,9 @@ void intel_become_tool(char **argv)
              "doc/old-programs.md");
 }
 
-/* cc and f77 compiled host programs: on the host, or on the user's own computer. */
-static const char *const c_names[] = {"icc", "cc", NULL};
+/* cc and f77 compiled host programs: on the host, or on the user's own computer. sicc and sif77 were the
+ * Paragon's compilers for SUNMOS. */
+static const char *const c_names[] = {"icc", "sicc", "cc", NULL};
 
 bool intel_is_c_name(void)
 {
@@ -154,7 +155,7 @@ bool intel_is_c_name(void)
 
 _Noreturn void intel_links(const char *folder)
 {
-    static const char *const names[] = {"if77", "f77", "ar860", "as860", NULL};
+    static const char *const names[] = {"if77", "sif77", "f77", "ar860", "as860", NULL};
     make_links(folder, c_names);
     make_links(folder, names);
     make_link(folder, "nm860", which("nm"));

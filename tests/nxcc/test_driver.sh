@@ -111,6 +111,8 @@ check "without it: long has 64 bits" says "static assertion failed" "$NXCC" -c l
 # --- as icc and if77 ---
 intel() { "$NXCC" --as-intel bin860 >said && "$NXCC" --as-intel bin860 >said && [ -x bin860/as860 ] && [ -x bin860/size860 ] && [ -x bin860/f77 ]; }
 check "--as-intel makes links by the names of Intel's tools" intel
+sunmos() { bin860/sicc -c other.c && printf '      END\n' >end.f && bin860/sif77 -c end.f; }
+check "those of SUNMOS's compilers, too" sunmos
 archive() { "$NXCC" -c other.c && rm -f libother.a && bin860/ar860 crl libother.a other.o && "$NXCC" hello.c libother.a; }
 check "ar860: the l of that time, for temporary files, is left out" archive
 main_in_archive() { "$NXCC" -c hello.c other.c && rm -f libmain.a && ar q libmain.a hello.o other.o && "$NXCC" -o hello libmain.a; }
