@@ -147,12 +147,13 @@ $(NODE)/libxdr.a:
 
 # GNU Fortran's library without the parts that those replace.
 LIBGFORTRAN := $(patsubst nx_api/%.c,$(NODE)/obj/%.o,$(wildcard nx_api/libgfortran/*.c))
-$(NODE)/libgfortran.a: $(LIBGFORTRAN)
+$(NODE)/libgfortran.a: $(LIBGFORTRAN) nx_api/nxcc/nxcc.mk
 	cp "$$($(NODE_FC) -print-file-name=libgfortran.a)" $@.new
 	ar d $@.new error.o stop.o exit.o abort.o backtrace.o async.o
 	objcopy --redefine-sym signal=nx_no_signal --redefine-sym sigaction=nx_no_sigaction \
-		--redefine-sym raise=nx_ends_by --redefine-sym kill=nx_kill $@.new
-	ar q $@.new $^ && ranlib $@.new && mv $@.new $@
+		--redefine-sym raise=nx_ends_by --redefine-sym kill=nx_kill \
+		--redefine-sym open=nx_fortran_open $@.new
+	ar q $@.new $(LIBGFORTRAN) && ranlib $@.new && mv $@.new $@
 
 # C++'s library is GCC's; this goes before it, and so is no part of libnx.a.
 $(NODE)/cplusplus.o: $(NODE)/obj/cplusplus_runtime.o

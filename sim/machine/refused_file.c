@@ -17,6 +17,8 @@ static const char *called(const struct node *n)
     if (i == depth)
         return NULL;
     const char *name = backtrace_called(n, returns[i]);
+    if (name && strcmp(name, "nx_fortran_open") == 0)
+        return "OPEN";
     bool inner = name && strncmp(name, "nx_", 3) == 0; /* a part of the function that calls it */
     return inner ? node_image_function_name(n->guest.file, returns[i] - (uintptr_t)n->guest.program) : name;
 }

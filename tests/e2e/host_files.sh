@@ -85,6 +85,26 @@ run -q host_files r ../outside/text -
 check "an argument's file may be read" grep -q works out
 refused "but not be written" "$outside/text" host_files w ../outside/text -
 check "it says that it is for reading" said 'which is for reading only; .*--host-files .*text allows it'
+cat >unit.f <<'END'
+      program unit
+      character*200 name, text
+      call getarg(1, name)
+      open (1, file=name)
+      read (1, '(a)') text
+      write (*, *) 'reads ', trim(text)
+      close (1)
+      call getarg(2, text)
+      if (text .eq. 'anew') open (1, file=name, status='replace')
+      if (text .eq. 'beside') open (1, file=trim(name)//'.new')
+      end
+END
+"$BUILD/nxf77" -g -o unit unit.f 2>compile.err
+run -q unit ../outside/text
+check "Fortran's OPEN without ACTION= reads what is for reading" bash -c '[ "$1" = 0 ] && grep -q "reads text" out' . $status
+for how in anew: beside:.new; do
+    run -q --host-files ../outside:ro unit ../outside/text ${how%:*}
+    check "but does not write: ${how%:*}" said ": OPEN: programs may not write $outside/text${how#*:}, which is for reading only"
+done
 allowed "an argument's folder" r ../outside/deep/text ../outside
 allowed "an argument that ends with a path" stat out_link/deep/text at=../outside
 run -q --host-files ../outside host_files w ../outside/a - rename ../outside/a ../outside/b unlink out_link/b -

@@ -174,6 +174,13 @@ int node_open(const char *path, int flags, ...)
     return descriptor_new(n, file_open(n, path, flags, permissions), path);
 }
 
+/* What GNU Fortran's library calls for OPEN. */
+int node_nx_fortran_open(const char *path, int flags, mode_t permissions)
+{
+    struct node *n = node_self();
+    return descriptor_new(n, file_open_fortran(n, path, flags, permissions), path);
+}
+
 int node_creat(const char *path, mode_t permissions)
 {
     return node_open(path, O_CREAT | O_WRONLY | O_TRUNC, permissions);

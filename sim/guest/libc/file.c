@@ -208,6 +208,18 @@ struct node_file *file_open(struct node *n, const char *path, int flags, mode_t 
     return f;
 }
 
+struct node_file *file_open_fortran(struct node *n, const char *path, int flags, mode_t permissions)
+{
+    if (!is_on_host(n, &path))
+        return file_open(n, path, flags, permissions);
+    int fd = fence_open(n->sys->fence, path, flags | O_CLOEXEC, permissions);
+    if (fd == FENCE_REFUSED && (flags & O_ACCMODE) == O_RDWR && fence_refusal(n->sys->fence).readable) {
+        errno = EROFS;
+        return NULL;
+    }
+    return file_of_host(n, host_answer(n, fd), flags);
+}
+
 struct node_file *file_open_temporary(struct node *n, const char *path, int flags)
 {
     if (!is_on_host(n, &path))

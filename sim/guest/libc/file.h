@@ -56,6 +56,9 @@ struct node_fs {
 
 bool file_is_simulated(const char *path); /* Does the path belong to the machine's file system? */
 struct node_file *file_open(struct node *n, const char *path, int flags, mode_t permissions);
+/* As file_open(), but of a file that may only be read O_RDWR gets EROFS: OPEN without ACTION= asks for O_RDWR
+ * first, and then for less. */
+struct node_file *file_open_fortran(struct node *n, const char *path, int flags, mode_t permissions);
 /* Makes a new file as by O_RDWR | O_CREAT | O_EXCL. Unlike others, the file may also be in this computer's
  * folder for temporary files. */
 struct node_file *file_open_temporary(struct node *n, const char *path, int flags);
