@@ -189,6 +189,19 @@ explore of/there -n 4 --runs 20 --same-file /cfs/result there
 check "--same-file compares a file of /cfs" ended_with 1
 explore unfiled -n 4 --runs 20 there
 check "without it, only what is printed counts" ended_with 0
+mkdir -p data deep/er
+touch data/one deep/two
+cat >opens.c <<'END'
+#include <stdio.h>
+#include <string.h>
+int main(int argc, char **argv)
+{
+    return argc < 3 || !fopen(argv[1], "r") || !fopen(strchr(argv[2], '=') + 1, "r");
+}
+END
+build opens.c opens
+(cd deep/er && limited "$BUILD/touchstone" explore --runs 3 ../../opens ../../data/one if=../two) >out 2>err </dev/null
+check "arguments with .. are the files that they are in the current folder" grep -q '^../../opens: 3 runs, 1 order: all the same' out
 
 # --- each run finds the files as they are here, whatever the one before it has left in their place ---
 cat >leaves.c <<'END'

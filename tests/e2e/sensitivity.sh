@@ -54,6 +54,10 @@ check "--json -: standard output has the figures alone" python3 -m json.tool out
 check "--json -: with the sensitivities" grep -q '"s_per_percent"' out
 check "--json -: output goes to standard error" grep -q '^hello' err
 check "the files of /cfs stay as the run left them" eval 'echo mine | cmp - files/one'
+echo 'int main(int argc, char **argv) { return argc < 2 || !fopen(argv[1], "r"); }' | sed '1i#include <stdio.h>' >opens.c
+"$BUILD/nxcc" -o opens opens.c 2>compile.err
+(cd sub && "$BUILD/touchstone" run -q --sensitivity -m ipsc860 -n 1 ../opens ../files/one) >out 2>err </dev/null
+check "an argument with .. is that file in the re-runs, too" test "$?" = 0
 
 # The page.
 page=$tests/../../doc/what-if.md

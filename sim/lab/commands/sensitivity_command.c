@@ -16,6 +16,7 @@
 #include "lab/commands/lab_commands.h"
 #include "lab/commands/run_again.h"
 #include "lab/commands/standard_input.h"
+#include "lab/jobs/own_folder.h"
 #include "lab/sensitivity/sensitivity_report.h"
 #include "observe/json_file.h"
 
@@ -29,6 +30,7 @@ struct work {
     struct sensitivity *sensitivity;
     struct rerun_place place;
     char *folder, *json, *input; /* json: of the run itself */
+    char *own_folders;           /* where those of the re-runs are */
     char **argv;                 /* the command of the run itself */
     int killed_by;               /* the signal that ended the run itself; 0: none */
 };
@@ -177,8 +179,12 @@ static bool prepare(struct work *w, const char *scratch, char **error)
     if (!run_again_of(&w->parts, w->folder, &w->places, &w->again, error))
         return false;
     FILE *progress = isatty(STDERR_FILENO) ? stderr : NULL;
-    w->place = (struct rerun_place){w->again.command, scratch, cli_jobs(0), progress, NULL};
-    return (w->sensitivity = sensitivity_new(w->again.cfg, error)) && keep_input(w, error);
+    const struct cli_program *what = &w->parts.what;
+    w->own_folders = own_folder_place(scratch, w->folder, what->program + !!what->program_count);
+    if (!w->own_folders)
+        *error = xasprintf("%s: folders for runs cannot be made: %m", scratch);
+    w->place = (struct rerun_place){w->again.command, w->own_folders, cli_jobs(0), progress, NULL};
+    return w->own_folders && (w->sensitivity = sensitivity_new(w->again.cfg, error)) && keep_input(w, error);
 }
 
 static int do_work(struct work *w, int argc, char **argv)
@@ -215,6 +221,7 @@ int cli_sensitivity(int argc, char **argv)
     free(w.parts.host_files);
     free(w.folder);
     free(w.json);
+    free(w.own_folders);
     free(w.input);
     free(w.argv);
     if (w.killed_by)

@@ -6,6 +6,7 @@
 #include "files/folder_make.h"
 #include "kernel/hostclock.h"
 #include "kernel/xalloc.h"
+#include "lab/jobs/own_folder.h"
 #include "lab/jobs/words.h"
 
 const char EXPLORE_TIMES_HINT[] =
@@ -17,6 +18,18 @@ enum { TIMES_BASE = 10, SECONDS_MORE = 1 };
 
 /* --- opening -------------------------------------------------------------------------------------------- */
 
+/* In the folder for temporary files, where the runs' own folders are. */
+static bool make_own_folders(struct explore *x, char **error)
+{
+    const struct subject_options *o = &x->options.subject;
+    if (!(x->scratch = folder_scratch("touchstone-explore", error)).path)
+        return false;
+    x->own_folders = own_folder_place(x->scratch.path, x->subject->folder, o->program + !!o->program_count);
+    if (!x->own_folders)
+        *error = xasprintf("%s: folders for runs cannot be made: %m", x->scratch.path);
+    return x->own_folders;
+}
+
 static bool open_folder(struct explore *x, char **error)
 {
     struct batch_place *p = &x->place;
@@ -27,8 +40,7 @@ static bool open_folder(struct explore *x, char **error)
     made = made && subject_keep_input(x->subject, runs, error);
     free(runs);
     return made && (p->locks = point_locks_enter(x->options.dir, x->options.session, error)) &&
-           (p->journal = journal_open(x->options.dir, x->options.notes, error)) &&
-           (x->scratch = folder_scratch("touchstone-explore", error)).path;
+           (p->journal = journal_open(x->options.dir, x->options.notes, error)) && make_own_folders(x, error);
 }
 
 static void set_place(struct explore *x)
@@ -38,7 +50,7 @@ static void set_place(struct explore *x)
     p->subject = x->subject;
     p->rules = &x->options.rules;
     p->dir = o->dir;
-    p->scratch = x->scratch.path;
+    p->scratch = x->own_folders;
     p->at_once = o->at_once;
     p->limit_s = o->limit_s;
     p->notes = o->notes;
@@ -74,6 +86,7 @@ void explore_close(struct explore *x)
     journal_close(x->place.journal);
     point_locks_leave(x->place.locks);
     scratch_remove(&x->scratch);
+    free(x->own_folders);
     subject_close(x->subject);
     free(x);
 }

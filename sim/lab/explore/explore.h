@@ -40,6 +40,7 @@ struct explore {
     struct explore_options options;
     struct subject *subject;
     struct scratch scratch;
+    char *own_folders; /* where in it the runs' folders are */
     struct batch_place place;
     struct search search;
     struct explained *explained; /* by search.outcomes; the base's is empty */

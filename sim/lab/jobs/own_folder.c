@@ -84,6 +84,51 @@ bool own_folder_make(const char *path, const char *like, const char *except, con
     return false;
 }
 
+/* How many folders up the name begins. */
+static size_t steps_up(const char *name)
+{
+    size_t steps = 0;
+    for (; !strncmp(name, "../", 3); name += 3)
+        steps++;
+    return steps + !strcmp(name, "..");
+}
+
+static size_t most_steps_up(char *const *words)
+{
+    size_t most = 0;
+    for (; *words; words++) {
+        const char *equals = strchr(*words, '=');
+        size_t steps = steps_up(*words);
+        if (steps == 0 && equals)
+            steps = steps_up(equals + 1);
+        most = steps > most ? steps : most;
+    }
+    return most;
+}
+
+char *own_folder_place(const char *scratch, const char *like, char *const *words)
+{
+    char *place = xstrdup(scratch), *above = xstrdup(like);
+    size_t steps = most_steps_up(words);
+    for (size_t i = 0; i < steps; i++) {
+        char *higher = xasprintf("%s/..", above);
+        free(above);
+        above = higher;
+    }
+    for (size_t i = steps; i > 0 && place; i--) {
+        char *lower = xasprintf("%s/.touchstone", place);
+        free(place);
+        place = lower;
+        if (!own_folder_make(place, above, NULL, NULL)) {
+            free(place);
+            place = NULL;
+        }
+        above[strlen(above) - strlen("/..")] = '\0';
+    }
+    free(above);
+    return place;
+}
+
 void own_folder_remove(const char *path)
 {
     char *const roots[] = {(char *)(uintptr_t)path, NULL};
