@@ -75,15 +75,18 @@ static char *place_text(const struct mpi_place *p)
                                 : "");
 }
 
-/* One place, or two: places that differ by their callers have one text. */
-static void print_places(FILE *f, const struct mpi_place *a, const struct mpi_place *b)
+/* One place, or two: places that differ by their callers have one text. Malloc'd. */
+static char *places_text(const struct mpi_place *a, const struct mpi_place *b)
 {
     char *first = place_text(a), *second = b->call ? place_text(b) : NULL;
-    fputs(first, f);
-    if (second && strcmp(first, second) != 0)
-        fprintf(f, " and %s", second);
+    if (!second || strcmp(first, second) == 0) {
+        free(second);
+        return first;
+    }
+    char *both = xasprintf("%s and %s", first, second);
     free(first);
     free(second);
+    return both;
 }
 
 /* --- findings --- */
@@ -139,10 +142,9 @@ static const char *const texts[MPI_FINDINGS] = {
     [NOT_FINALIZED] = "MPI_Finalize never called",
 };
 
-static void print_finding(const struct finding *d, const char *before, FILE *f)
+static void print_finding(const struct finding *d, const char *places, const char *before, FILE *f)
 {
-    fprintf(f, "%sMPI: %s: ", before, texts[d->kind]);
-    print_places(f, &d->place, &d->other);
+    fprintf(f, "%sMPI: %s: %s", before, texts[d->kind], places);
     if (*d->detail)
         fprintf(f, ": %s", d->detail);
     if (d->count > 1)
@@ -155,11 +157,31 @@ static void print_finding(const struct finding *d, const char *before, FILE *f)
     fputc('\n', f);
 }
 
-bool mpi_findings_print(const struct mpi_findings *all, const char *before, FILE *f)
+/* Adds to a finding what was found at a place of the same text. */
+static void join(struct finding *to, struct finding *d)
 {
+    to->count += d->count;
+    d->count = 0;
+    for (uint32_t node = d->first; node <= d->last; node++)
+        if (d->on[node / 8] >> node % 8 & 1)
+            note_node(to, node);
+}
+
+bool mpi_findings_print(struct mpi_findings *all, const char *before, FILE *f)
+{
+    char **places = xcalloc(all->count + 1, sizeof *places);
+    for (size_t i = 0; i < all->count; i++) {
+        places[i] = places_text(&all->list[i].place, &all->list[i].other);
+        for (size_t k = 0; k < i && all->list[i].count; k++)
+            if (all->list[k].count && all->list[k].kind == all->list[i].kind && !strcmp(places[k], places[i]))
+                join(&all->list[k], &all->list[i]);
+    }
     for (int kind = 0; kind < MPI_FINDINGS; kind++)
         for (size_t i = 0; i < all->count; i++)
-            if (all->list[i].kind == (enum mpi_finding)kind)
-                print_finding(&all->list[i], before, f);
+            if (all->list[i].count && all->list[i].kind == (enum mpi_finding)kind)
+                print_finding(&all->list[i], places[i], before, f);
+    for (size_t i = 0; i < all->count; i++)
+        free(places[i]);
+    free(places);
     return all->count > 0;
 }

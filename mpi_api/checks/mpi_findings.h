@@ -44,6 +44,6 @@ void mpi_findings_free(struct mpi_findings *all);
  * what is known of the first instance. */
 void mpi_findings_add(struct mpi_findings *all, enum mpi_finding kind, uint32_t node,
                       const struct mpi_place *place, const struct mpi_place *other, const char *detail);
-/* A line for each kind and place, each behind `before`. False: there are none. */
-bool mpi_findings_print(const struct mpi_findings *all, const char *before, FILE *f);
+/* A line for each kind and place, whoever called it, each behind `before`. False: there are none. Once. */
+bool mpi_findings_print(struct mpi_findings *all, const char *before, FILE *f);
 #endif

@@ -80,7 +80,7 @@ done <<'END'
 request never completed|MPI_Irecv(
 persistent request not freed|MPI_Send_init(
 message never received|MPI_Send(
-communicator not freed|MPI_Comm_dup(
+communicator not freed|MPI_Comm_dup(MPI_COMM_WORLD, &dup
 datatype not freed|MPI_Type_contiguous(
 group not freed|MPI_Comm_group(
 datatypes differ|MPI_Sendrecv(
@@ -94,6 +94,9 @@ check "and nothing is told" [ ! -s err ]
 run -q -n 4 --mpi-checks left_over ends
 check "an end without MPI_Finalize: MPI_Init's line" told "MPI: MPI_Finalize never called: MPI_Init at $(line left_over.c 'MPI_Init(')" "4 times, on nodes 0-3"
 check "what is left over there" told "MPI: communicator not freed: "
+run -q -n 4 --mpi-checks left_over callers
+check "a line with two callers: one finding" told "MPI: communicator not freed: MPI_Comm_dup at $(line left_over.c 'MPI_Comm_dup(MPI_COMM_WORLD, to')" ", 8 times, on nodes 0-3"
+check "and it is told once" [ "$(grep -c MPI: err)" = 1 ]
 for workers in 1 2 4; do
     run_results -w $workers -n 9 --mpi-checks left_over >fast
     run_results --engine reference -n 9 --mpi-checks left_over >reference

@@ -1,6 +1,12 @@
 /* left_over.c - leaves something over of each kind, but with the argument "well"; receives reals as integers.
- * With "ends" it ends without MPI_Finalize. */
+ * With "ends" it ends without MPI_Finalize; with "callers" it leaves communicators that a function of its own
+ * makes for two callers. */
 #include <mpi.h>
+
+static __attribute__((noinline)) void duplicate(MPI_Comm *to)
+{
+    MPI_Comm_dup(MPI_COMM_WORLD, to);
+}
 
 int main(int argc, char **argv)
 {
@@ -13,6 +19,12 @@ int main(int argc, char **argv)
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     MPI_Comm_size(MPI_COMM_WORLD, &size);
     int right = (rank + 1) % size, left = (rank + size - 1) % size;
+    if (argc > 1 && argv[1][0] == 'c') {
+        duplicate(&dup);
+        duplicate(&dup);
+        MPI_Finalize();
+        return 0;
+    }
     MPI_Comm_dup(MPI_COMM_WORLD, &dup);
     if (argc > 1 && argv[1][0] == 'e')
         return 0;
