@@ -186,6 +186,8 @@ static bool take_own(struct arguments *a, int argc, char **argv, int *i)
         a->kmath = true;
     else if (!a->mpi && !strcmp(option, "-lstdc++"))
         a->cplusplus = true;
+    else if (!a->mpi && !strcmp(option, "-lquadmath"))
+        return true; /* each program is linked with the archive of that name: command.c */
     else if (!strcmp(option, "--profile"))
         a->profile = true;
     else if (!strcmp(option, "--races"))

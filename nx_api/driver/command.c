@@ -181,10 +181,12 @@ static void add_link(struct arguments *a, const struct places *p)
         add(a, "-lgcc"); /* which calls libnx.a, too */
     }
     add(a, text("%s/libxdr.a", p->lib));
+    add(a, "-Wl,--start-group"); /* they call each other: a REAL(16)'s transfer comes to the wrapped one */
     add(a, text("%s/libnx%s%s.a", p->lib, kind, a->profile ? "_profile" : ""));
     const char *libgfortran = text("%s/libgfortran.a", p->lib);
     if (access(libgfortran, F_OK) == 0) /* not where nxcc was built for C alone: make tables */
         add(a, libgfortran);
+    add(a, "-Wl,--end-group");
     add(a, "-l:libquadmath.a"); /* of libgcc's package: REAL(16), of which libgfortran.a asks */
     add(a, "-lgcc");
     add(a, text("%s/libnode.so", p->lib));

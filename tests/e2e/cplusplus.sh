@@ -40,6 +40,9 @@ check "work together" test "$(cat out)" = 2
 "$BUILD/nxcc" -o mixed whole.o part.o 2>err
 check "a link without C++'s library says which" said 'whose library -lstdc\+\+ links'
 check "with it it works" "$BUILD/nxcc" -o mixed whole.o part.o -lstdc++
+echo '#include <quadmath.h>
+int main() { return isnanq(strtoflt128("1.5", nullptr)); }' >quad.cc
+check "-lquadmath is the library of GCC" "$BUILD/nxcc" -std=gnu++17 -o quad quad.cc -lquadmath
 
 echo '#include <thread>
 int main() { std::thread([] {}).join(); }' >threads.cc

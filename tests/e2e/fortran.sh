@@ -26,6 +26,14 @@ run -n 2 linked
 check "mixed: the same" diff expected out
 check "mixed: nxf77 compiles C" nxf77 -node -o linked mixed.c part.o
 
+# --- a REAL(16) alone in READ and PRINT; -lquadmath
+printf 'real(16) x\nread *, x\nprint *, sqrt(x)\nend\n' >quad.f90
+for library in -lm -lquadmath; do
+    check "quad: compiles, $library" nxf77 -o quad quad.f90 $library
+    echo 2 >two && "$BUILD/touchstone" run -q quad <two >out
+    check "quad: 2's root, $library" grep -q '1.414213562373095048801688724209' out
+done
+
 # --- STOP
 stops() { nxf77 "-DSTOP=$1" -o stops "$f/stops.F"; }
 check "STOP 3: compiles, preprocessed" stops "stop 3"
