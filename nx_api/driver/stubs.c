@@ -277,6 +277,15 @@ static bool all_of_fortran(const struct names *n)
     return true;
 }
 
+/* The linker says C++'s names with their parameters, or as "vtable for X". */
+static bool any_of_cplusplus(const struct names *n)
+{
+    for (size_t i = 0; i < n->count; i++)
+        if (n->name[i][strcspn(n->name[i], ":( ")])
+            return true;
+    return false;
+}
+
 /* What may be wrong, and where the user finds what there is. */
 static const char *advice(const struct names *n, const struct arguments *user)
 {
@@ -306,7 +315,8 @@ int stubs_link(const char **gcc, const struct arguments *user, const char *progr
     if (status && mixed_report(said, user->mpi))
         return status;
     struct names n = status ? read_names(said) : (struct names){NULL, 0};
-    if (n.count && user->stubs) {
+    bool cplusplus = any_of_cplusplus(&n);
+    if (n.count && user->stubs && !cplusplus) {
         status = link_stubs(gcc, &n, user->stub_values);
         refuse_variables(&n, program, said, who);
         print_stubs(&n, user->stub_values, who);
@@ -319,10 +329,14 @@ int stubs_link(const char **gcc, const struct arguments *user, const char *progr
     } else if (n.count) {
         fprintf(stderr, "%s: %s do not have ", program_invocation_short_name, who);
         print_names(&n, user->mpi_program);
-        fprintf(stderr,
-                ": %s. If the program can do without %s, --stubs "
-                "links stand-ins, which fail with ENOSYS when they are called; the report names them\n",
-                advice(&n, user), n.count > 1 ? "them" : "it");
+        fprintf(stderr, ": %s. ", advice(&n, user));
+        if (cplusplus)
+            fputs("--stubs has stand-ins for functions of C only\n", stderr);
+        else
+            fprintf(stderr,
+                    "If the program can do without %s, --stubs links stand-ins, which fail with ENOSYS when "
+                    "they are called; the report names them\n",
+                    n.count > 1 ? "them" : "it");
     }
     return status;
 }

@@ -78,6 +78,14 @@ check "a name that is used as a variable: no program" variable
 check "the message names the variable and its line" eval "said 'variable.c:1: undefined reference to .depth' && said 'nodes do not have depth, which the program uses as a variable'"
 check "MPI: the same" eval "variable --mpi && said 'depth, which the program uses as a variable'"
 
+# --- functions of C++
+printf 'namespace away { struct thing { thing(); virtual ~thing(); }; }\nint main() { away::thing t; }\n' >away.cc
+away() { ! "$BUILD/nxcc" --stubs -o away away.cc 2>err; }
+check "C++: no stand-ins" away
+check "C++: that is said, with names and lines" \
+    eval "said 'undefined reference to .away' && said 'nodes do not have away::thing::thing.*stand-ins for functions of C only'"
+check "C++: the assembler has nothing to say" eval '! said "Error:"'
+
 on_cluster() { "$BUILD/nxcc" --mpi --stubs -O2 -o clustered "$tests/gadget.c" 2>err; }
 check "--mpi --stubs: linked" on_cluster
 on_mpi 2 ./clustered
