@@ -100,7 +100,7 @@ static bool make_files(struct doing *d, struct task *t)
     const struct subject *s = d->place->subject;
     const char *scratch = d->place->scratch;
     if (!t->folder)
-        t->folder = xasprintf("%s/%td", scratch, t - d->tasks);
+        t->folder = xasprintf("%s/.touchstone-%td", scratch, t - d->tasks);
     t->json = key_path(scratch, t->run->key, ".json");
     t->record = key_path(scratch, t->run->key, ".record");
     t->replay = t->run->schedule ? key_path(scratch, t->run->key, ".replay") : NULL;

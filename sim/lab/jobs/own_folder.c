@@ -79,9 +79,11 @@ static bool for_all(const struct plan *p, const char *folder,
 bool own_folder_make(const char *path, const char *like, const char *except, const struct timespec *until)
 {
     const struct plan p = {path, like, except, until};
-    if (!mkdir(path, 0700) || (errno == EEXIST && for_all(&p, path, remove_other)))
-        return for_all(&p, like, link_one);
-    return false;
+    struct stat st;
+    bool made = !mkdir(path, 0700);
+    if (!made && errno == EEXIST && !lstat(path, &st) && S_ISDIR(st.st_mode)) /* and no link to another */
+        made = for_all(&p, path, remove_other);
+    return made && for_all(&p, like, link_one);
 }
 
 /* How many folders up the name begins. */
@@ -93,39 +95,57 @@ static size_t steps_up(const char *name)
     return steps + !strcmp(name, "..");
 }
 
-static size_t most_steps_up(char *const *words)
+/* The name in a word: NAME, or KEY=NAME. */
+static const char *name_in(const char *word)
 {
-    size_t most = 0;
-    for (; *words; words++) {
-        const char *equals = strchr(*words, '=');
-        size_t steps = steps_up(*words);
-        if (steps == 0 && equals)
-            steps = steps_up(equals + 1);
-        most = steps > most ? steps : most;
+    const char *equals = strchr(word, '=');
+    return equals && !steps_up(word) ? equals + 1 : word;
+}
+
+static char *above(const char *folder, size_t steps)
+{
+    char *path = xstrdup(folder);
+    for (; steps; steps--) {
+        char *higher = xasprintf("%s/..", path);
+        free(path);
+        path = higher;
     }
-    return most;
+    return path;
+}
+
+/* Links the first folder, or the file, that the name leads to. */
+static void link_above(const char *place, const char *like, const char *name)
+{
+    size_t steps = steps_up(name);
+    const char *first = name + 3 * steps;
+    if (!steps || !strcmp(name + 3 * (steps - 1), "..") || !*first)
+        return;
+    char *from = above(like, steps), *to = above(place, steps - 1);
+    const struct plan p = {.path = to, .like = from};
+    char *part = xstrndup(first, strcspn(first, "/"));
+    link_one(&p, part);
+    free(part);
+    free(from);
+    free(to);
 }
 
 char *own_folder_place(const char *scratch, const char *like, char *const *words)
 {
-    char *place = xstrdup(scratch), *above = xstrdup(like);
-    size_t steps = most_steps_up(words);
-    for (size_t i = 0; i < steps; i++) {
-        char *higher = xasprintf("%s/..", above);
-        free(above);
-        above = higher;
-    }
-    for (size_t i = steps; i > 0 && place; i--) {
+    char *place = xstrdup(scratch);
+    size_t steps = 0;
+    for (char *const *w = words; *w; w++)
+        steps = steps_up(name_in(*w)) > steps ? steps_up(name_in(*w)) : steps;
+    for (; steps; steps--) {
         char *lower = xasprintf("%s/.touchstone", place);
         free(place);
         place = lower;
-        if (!own_folder_make(place, above, NULL, NULL)) {
+        if (mkdir(place, 0700)) {
             free(place);
-            place = NULL;
+            return NULL;
         }
-        above[strlen(above) - strlen("/..")] = '\0';
     }
-    free(above);
+    for (; *words; words++)
+        link_above(place, like, name_in(*words));
     return place;
 }
 
