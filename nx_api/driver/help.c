@@ -47,7 +47,8 @@ static const struct own_option {
                 "ar860, as860, nm860, size860, strip860, and cc and f77 for host programs"},
                {"--as-mpi", "DIR",
                 "make links in DIR by the names of MPI's compilers: mpicc, mpif77, mpif90, mpifort, mpicxx.\n"
-                "They compile MPI programs for simulated nodes; so does nxcc with -lmpi"},
+                "They compile MPI programs for simulated nodes; so does nxcc with -lmpi.\n"
+                "mpiexec and mpirun in DIR run them"},
                {"-host", NULL,
                 "a host program, for touchstone run --host: nx.h declares getcube, load and\n"
                 "their kin"},

@@ -2,7 +2,7 @@
 #include "nx_api/driver/intel.h"
 #include <ctype.h>
 #include <errno.h>
-#include <limits.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -79,29 +79,42 @@ void intel_note(const struct arguments *a)
 
 /* --- names --- */
 
+/* The path of a name that is free; the caller frees it. */
+static char *clear(const char *folder, const char *name)
+{
+    char *path = text("%s/%s", folder, name);
+    if (unlink(path) && errno != ENOENT)
+        fail("%s: %s", path, strerror(errno));
+    return path;
+}
+
 static void make_link(const char *folder, const char *name, const char *target)
 {
-    char *link = text("%s/%s", folder, name);
-    if (unlink(link) && errno != ENOENT)
-        fail("%s: %s", link, strerror(errno));
+    char *link = clear(folder, name);
     if (symlink(target, link))
         fail("%s: %s", link, strerror(errno));
     printf("%s -> %s\n", link, target);
     free(link);
 }
 
+/* This compiler's path; malloc'd. */
+static char *own_path(void)
+{
+    char *self = realpath("/proc/self/exe", NULL);
+    if (!self)
+        fail("/proc/self/exe: %s", strerror(errno));
+    return self;
+}
+
 /* Links to this compiler in a folder, which is made if need be; names end with NULL. */
 static void make_links(const char *folder, const char *const *names)
 {
-    char self[PATH_MAX];
-    ssize_t n = readlink("/proc/self/exe", self, sizeof self - 1);
-    if (n < 0)
-        fail("/proc/self/exe: %s", strerror(errno));
-    self[n] = '\0';
+    char *self = own_path();
     if (mkdir(folder, 0777) && errno != EEXIST)
         fail("%s: %s", folder, strerror(errno));
     for (; *names; names++)
         make_link(folder, *names, self);
+    free(self);
 }
 
 /* The whole path of a program that the shell finds. */
@@ -179,10 +192,42 @@ bool intel_is_mpi_name(void)
     return is_one_of(program_invocation_short_name, mpi_names) || intel_is_cplusplus_name();
 }
 
+/* mpiexec, as makefiles and tests call it. */
+static void write_mpiexec(const char *folder)
+{
+    char *path = clear(folder, "mpiexec"), *self = own_path();
+    int fd = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0777);
+    if (fd < 0)
+        fail("%s: %s", path, strerror(errno));
+    *strrchr(self, '/') = '\0';
+    dprintf(
+        fd,
+        "#!/bin/sh\n"
+        "# mpiexec [-n N] [option of touchstone run ...] PROGRAM [ARGUMENT ...] - on simulated nodes. More\n"
+        "# options, such as -m paragon, may be in the environment variable TOUCHSTONE_RUN.\n"
+        "nodes=\n"
+        "while :; do\n"
+        "    case $1 in\n"
+        "    -n | -np | --np | -c) nodes=\"-n $2\" && shift 2 ;;\n"
+        "    --oversubscribe | --allow-run-as-root) shift ;;\n"
+        "    *) break ;;\n"
+        "    esac\n"
+        "done\n"
+        "exec '%s/touchstone' run -q $TOUCHSTONE_RUN $nodes \"$@\"\n",
+        self);
+    if (close(fd))
+        fail("%s: %s", path, strerror(errno));
+    printf("%s -> touchstone run\n", path);
+    free(path);
+    free(self);
+}
+
 _Noreturn void intel_mpi_links(const char *folder)
 {
     make_links(folder, mpi_names);
     make_links(folder, mpi_cplusplus_names);
+    write_mpiexec(folder);
+    make_link(folder, "mpirun", "mpiexec");
     exit(0);
 }
 

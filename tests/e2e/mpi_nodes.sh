@@ -90,6 +90,10 @@ rm -rf bin
 check "the page's first commands" bash -e -c "$(block "$page" sh) >said"
 check "give what it says" cmp said expected
 PATH=$PWD/bin:$PATH
+mpirun -np 4 ./heat >out 2>err
+check "bin's mpirun: on simulated nodes" grep -q '^4 ranks: ' out
+TOUCHSTONE_RUN="-m ipsc860 -n 2" mpiexec --oversubscribe -n 8 ./heat >out 2>err
+check "bin's mpiexec: its number of ranks over that of TOUCHSTONE_RUN" grep -q '^8 ranks: ' out
 check "the trace says what the ranks waited for" bash -e -c "$(block "$page" sh 2)"
 bash -c "$(block "$page" sh 3)" >out 2>err
 check "with mpi_eager_limit 0 the unsafe program is found, as the page says" cmp err <(block "$page" err)
