@@ -389,9 +389,11 @@ static void the_legend_has_a_title_and_labels_beside_their_samples(void **state)
     struct picture p = TIME;
     p.lines_label = "what it is of";
     p.panels_label = "case";
+    p.x_label = "nodes\nsystem 'no command'"; /* results may be anybody's */
     script = script_of(p);
     assert_int_equal(count(script, "title 'what it is of' left\n"), 2);
     says(script, "set title 'case = 1'");
+    says(script, "set xlabel 'nodes system ''no command'''\n");
     free(script);
 }
 

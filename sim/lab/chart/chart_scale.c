@@ -52,14 +52,15 @@ double scale_value(const struct scale *s, double part)
 
 /* --- text ----------------------------------------------------------------------------------------------- */
 
-/* In gnuplot's single quotes only the single quote is special: it is doubled. */
+/* In gnuplot's single quotes only the single quote is special: it is doubled. A text with an end of line would
+ * end there, and its rest be a command: control characters become blanks. */
 void scale_write_quoted(const char *text, FILE *out)
 {
     fputc('\'', out);
     for (; *text; text++) {
         if (*text == '\'')
             fputc('\'', out);
-        fputc(*text, out);
+        fputc((unsigned char)*text < ' ' ? ' ' : *text, out);
     }
     fputc('\'', out);
 }
