@@ -121,10 +121,11 @@ static void failures_are_told_and_the_rest_goes_on(void **state)
 static void much_output_is_cut_and_does_not_block(void **state)
 {
     (void)state;
-    struct pool_job job = {.name = "loud",
-                           .argv = SH("yes abcdefg | head -c 3000000; yes xyz | head -c 100000 >&2; exit 1")};
+    struct pool_job job = {
+        .name = "loud", .argv = SH("yes abcdefg | head -c 70000000; yes xyz | head -c 100000 >&2; exit 1")};
     pool_run(&job, 1, 1, NULL);
     assert_int_equal(strlen(job.out), POOL_MAX_OUT);
+    assert_true(job.cut);
     assert_memory_equal(job.out, "abcdefg\n", 8);
     assert_true(strlen(job.error) < POOL_MAX_ERR + 64);
     pool_clear(&job, 1);

@@ -4,18 +4,20 @@
 #include "kernel/xalloc.h"
 
 #include <ctype.h>
+#include <errno.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The number at text as JSON, a whole number as an integer. NULL unless the number ends at a blank or the
- * text's end. */
+/* The number at text as JSON, a whole number as an integer if 64 bits hold it. NULL unless the number ends at
+ * a blank or the text's end. */
 static json_t *number(const char *text, char **end)
 {
+    errno = 0;
     long long whole = strtoll(text, end, 10);
-    if (*end != text && (**end == '\0' || isspace((unsigned char)**end)))
+    if (!errno && *end != text && (**end == '\0' || isspace((unsigned char)**end)))
         return json_integer(whole);
     double real = strtod(text, end);
     if (*end == text || (**end && !isspace((unsigned char)**end)) || !isfinite(real))
@@ -77,6 +79,19 @@ struct outcome outcome_read(const char *out, const char *json_path, const char *
         json_decref(o.run);
         o.printed = o.run = NULL;
     }
+    return o;
+}
+
+struct outcome outcome_of(const struct pool_job *job, const char *json_path, const char *required)
+{
+    struct outcome o = {0};
+    if (job->state != POOL_DONE)
+        o.error = xstrdup(job->error ? job->error : "not run");
+    else if (job->cut)
+        o.error = xstrdup(POOL_CUT);
+    else
+        o = outcome_read(job->out, json_path, required);
+    o.wall_time_s = job->wall_time_s;
     return o;
 }
 

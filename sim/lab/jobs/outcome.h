@@ -6,6 +6,7 @@
 #ifndef LAB_JOBS_OUTCOME_H
 #define LAB_JOBS_OUTCOME_H
 #include <jansson.h>
+#include "lab/jobs/process_pool.h"
 
 struct outcome {
     json_t *printed; /* object: a number, or an array of numbers, for each key the program printed */
@@ -17,6 +18,8 @@ struct outcome {
 /* Reads both kinds of figures; out is the program's standard output. The program must have printed the key
  * `required`, unless NULL. */
 struct outcome outcome_read(const char *out, const char *json_path, const char *required);
+/* The outcome of a job that has ended, or was not run. */
+struct outcome outcome_of(const struct pool_job *job, const char *json_path, const char *required);
 void outcome_clear(struct outcome *o);
 
 /* The number of that key in an object, which may be NULL; NAN if there is none. */

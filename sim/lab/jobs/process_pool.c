@@ -23,6 +23,7 @@ struct stream {
     struct evbuffer *kept;
     size_t max;
     bool end_matters; /* of more than max bytes, keep the last, not the first */
+    bool cut;         /* there were more */
 };
 
 struct child {
@@ -58,6 +59,7 @@ static void keep(struct stream *s, struct evbuffer *in)
             evbuffer_drain(s->kept, size - s->max);
     } else {
         evbuffer_remove_buffer(in, s->kept, s->max - size);
+        s->cut |= evbuffer_get_length(in) > 0;
         evbuffer_drain(in, evbuffer_get_length(in));
     }
 }
@@ -71,7 +73,7 @@ static void open_stream(struct stream *s, struct event_base *base, int fd, size_
 {
     evutil_make_socket_nonblocking(fd);
     *s = (struct stream){xchecked(bufferevent_socket_new(base, fd, BEV_OPT_CLOSE_ON_FREE)),
-                         xchecked(evbuffer_new()), max, end_matters};
+                         xchecked(evbuffer_new()), max, end_matters, false};
     bufferevent_setcb(s->from, on_data, NULL, NULL, s);
     bufferevent_enable(s->from, EV_READ);
 }
@@ -232,6 +234,7 @@ static void end_child(struct pool *p, struct child *c, int status)
 {
     struct pool_job *job = c->job;
     job->out = close_stream(&c->out);
+    job->cut = c->out.cut;
     char *err = close_stream(&c->err);
     job->wall_time_s = hostclock_s() - c->started_s;
     char *error = describe_end(c, status, err);

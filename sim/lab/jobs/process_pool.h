@@ -33,10 +33,12 @@ struct pool_job {
     enum pool_state state;
     bool stopped; /* POOL_FAILED because of such a signal to the child or the parent, not by itself */
     char *out;    /* its standard output (at most POOL_MAX_OUT bytes), ended by '\0' */
+    bool cut;     /* there was more */
     char *error;  /* failed: how it ended and the last lines of its standard error */
     double wall_time_s;
 };
-enum { POOL_MAX_OUT = 1 << 20, POOL_MAX_ERR = 2048 };
+enum { POOL_MAX_OUT = 64 << 20, POOL_MAX_ERR = 2048 };
+#define POOL_CUT "wrote more than 64 MB on standard output, and what is behind is lost" /* says `cut` */
 
 struct pool_status {
     size_t jobs, done, running, failed;

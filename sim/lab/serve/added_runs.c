@@ -163,11 +163,8 @@ enum pool_next added_runs_next(struct added_runs *r, struct pool_job **job)
 /* The record for the journal. Sets the run's error if the run failed. */
 static json_t *record_of(struct added_run *run)
 {
-    struct outcome o = {0};
-    if (run->job.state == POOL_DONE)
-        o = outcome_read(run->job.out, run->request.json, NULL);
-    if (run->job.state != POOL_DONE || o.error)
-        run->error = xstrdup(o.error ? o.error : run->job.error);
+    struct outcome o = outcome_of(&run->job, run->request.json, NULL);
+    run->error = o.error ? xstrdup(o.error) : NULL;
     json_t *record = run->error ? point_record_of_failure(run->error, run->job.wall_time_s)
                                 : point_record(&o, NULL, run->job.wall_time_s);
     json_set(record, "point", json_incref(run->request.values));
@@ -202,11 +199,10 @@ void added_runs_ended(struct added_runs *r, struct pool_job *job)
 json_t *added_runs_json(const struct added_runs *r)
 {
     json_t *list = json_array();
-    for (const struct added_run *run = r->first; run; run = run->later) {
-        json_t *error = run->error ? json_string(run->error) : NULL;
-        json_append(list, json_pack("{s:i, s:s, s:s, s:s, s:o}", "id", (int)run->id, "study",
-                                    run->study->name, "name", run->request.name, "state", STATES[run->state],
-                                    "error", error ? error : json_null()));
-    }
+    for (const struct added_run *run = r->first; run; run = run->later)
+        json_append(list,
+                    json_pack("{s:i, s:o, s:s, s:s, s:o}", "id", (int)run->id, "study",
+                              json_text(run->study->name), "name", run->request.name, "state",
+                              STATES[run->state], "error", run->error ? json_text(run->error) : json_null()));
     return list;
 }

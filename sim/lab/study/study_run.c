@@ -129,12 +129,8 @@ static bool depends_on_unnamed(struct study_session *e, const json_t *run)
 static void record_end(struct study_session *e, struct task *t)
 {
     struct study *s = e->study;
-    struct outcome o = {0};
-    char *error = t->job.state == POOL_DONE ? NULL : xstrdup(t->job.error);
-    if (!error) {
-        o = outcome_read(t->job.out, t->json, NULL);
-        error = o.error ? xstrdup(o.error) : NULL;
-    }
+    struct outcome o = outcome_of(&t->job, t->json, NULL);
+    const char *error = o.error;
     bool keep = !error && s->options.cache && !depends_on_unnamed(e, o.run) && !e->refused;
     json_t *record = error ? point_record_of_failure(error, t->job.wall_time_s)
                            : point_record(&o, t->profile, t->job.wall_time_s);
@@ -150,7 +146,6 @@ static void record_end(struct study_session *e, struct task *t)
     }
     json_decref(record);
     outcome_clear(&o);
-    free(error);
 }
 
 /* --- running -------------------------------------------------------------------------------------------- */

@@ -59,15 +59,6 @@ static void free_command(struct command *c)
     free(c->extra);
 }
 
-static void read_outcome(struct run *run, const struct pool_job *job, const char *json)
-{
-    if (job->state == POOL_DONE)
-        run->outcome = outcome_read(job->out, json, "total_s");
-    else
-        run->outcome.error = xstrdup(job->error ? job->error : "not run");
-    run->outcome.wall_time_s = job->wall_time_s;
-}
-
 /* --- running -------------------------------------------------------------------------------------------- */
 
 struct doing {
@@ -97,7 +88,7 @@ static void changed(void *arg, const struct pool_status *status)
     d->shown.changed(d->shown.arg, status);
     if (status->finished && status->finished->state != POOL_WAITING) {
         size_t job = (size_t)(status->finished - d->jobs), i = d->which[job];
-        read_outcome(&d->runs[i], status->finished, d->commands[i].json);
+        d->runs[i].outcome = outcome_of(status->finished, d->commands[i].json, "total_s");
         if (d->journal && !d->runs[i].outcome.error)
             runs_journal_add(d->journal, &d->runs[i]);
         if (!status->finished->stopped) /* a table with what was stopped is none */
