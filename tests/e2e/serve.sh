@@ -113,6 +113,15 @@ check "the added points stay" grep -q '"added":true' out
 end TERM
 check "SIGTERM ends it, too" ended_with 0
 
+latin=$(printf 'K\366ln')
+cp -r study "$latin"
+begin "$latin"
+curl -sN -m "$patience" "$(at /events)" >events &
+awaited grep -q '"name":' events
+kill $!
+check "a folder whose name is not UTF-8" grep -q '"name":"K?ln"' events
+end INT
+
 # A folder is not left by a link in it.
 mkdir -p links/added
 cp study/study.json links

@@ -52,8 +52,8 @@ double scale_value(const struct scale *s, double part)
 
 /* --- text ----------------------------------------------------------------------------------------------- */
 
-/* In gnuplot's single quotes only the single quote is special: it is doubled. A text with an end of line would
- * end there, and its rest be a command: control characters become blanks. */
+/* In gnuplot's single quotes only the single quote is special: it is doubled. A text would end at an end of
+ * line, and its rest be a command: control characters become blanks. */
 void scale_write_quoted(const char *text, FILE *out)
 {
     fputc('\'', out);

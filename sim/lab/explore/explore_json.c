@@ -14,7 +14,7 @@ static void set_count(json_t *o, const char *key, size_t count)
 
 static void set_text(json_t *o, const char *key, char *text)
 {
-    json_set(o, key, json_string_or_null(text));
+    json_set(o, key, text ? json_text(text) : json_null());
     free(text);
 }
 

@@ -68,8 +68,7 @@ static json_t *number_json(const struct sensitivity *s, const struct sensitive_n
                                    "unit", n->unit, "step", n->step, "standing", n->number->standing,
                                    "source", n->number->source));
     if (isnan(n->per_percent)) {
-        json_t *why = json_string(no_answer(s, n));
-        json_set(o, "no_answer", why ? why : json_string("not UTF-8 text"));
+        json_set(o, "no_answer", json_text(no_answer(s, n)));
     } else {
         json_set(o, "virtual_time_s", json_real(vt_seconds(s->runs.list[n->run].end)));
         json_set(o, "s_per_percent", json_real(n->per_percent));

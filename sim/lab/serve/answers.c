@@ -38,9 +38,7 @@ static void reply_json(struct evhttp_request *request, int status, json_t *value
 
 static void reply_error(struct evhttp_request *request, int status, const char *error)
 {
-    json_t *text = json_string(error);
-    reply_json(request, status,
-               json_pack("{s:o}", "error", text ? text : json_string("a text that is not UTF-8")));
+    reply_json(request, status, json_pack("{s:o}", "error", json_text(error)));
 }
 
 /* --- what is asked -------------------------------------------------------------------------------------- */
@@ -179,7 +177,7 @@ void answer_news(struct server *s)
     json_t *studies = json_array();
     for (size_t i = 0; i < s->count; i++) {
         json_t *progress = live_study_progress(s->studies[i]);
-        json_set(progress, "name", json_string(s->studies[i]->name));
+        json_set(progress, "name", json_text(s->studies[i]->name));
         json_append(studies, progress);
     }
     json_t *news = json_pack("{s:o, s:o}", "studies", studies, "runs", added_runs_json(s->runs));

@@ -165,10 +165,8 @@ json_t *point_request_form(const json_t *note)
     for (size_t i = 0; s && i < s->axis_count; i++)
         if (s->axes[i].kind != SPEC_DERIVED)
             json_append(form, axis_form(&s->axes[i]));
-    if (!s) {
-        json_t *text = json_string(error ? error : NO_NOTE);
-        json_set(form, "error", text ? text : json_string("the study file cannot be read"));
-    }
+    if (!s)
+        json_set(form, "error", json_text(error ? error : NO_NOTE));
     spec_free(s);
     free(error);
     free(file);

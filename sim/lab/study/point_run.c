@@ -78,8 +78,5 @@ json_t *point_record(const struct outcome *o, const char *profile, double wall_t
 
 json_t *point_record_of_failure(const char *error, double wall_time_s)
 {
-    json_t *text = json_string(error);
-    if (!text) /* not UTF-8 */
-        text = json_string("failed with a message that is not UTF-8 text");
-    return json_pack("{s:f, s:o}", "wall_time_s", wall_time_s, "failure", text);
+    return json_pack("{s:f, s:o}", "wall_time_s", wall_time_s, "failure", json_text(error));
 }

@@ -19,7 +19,7 @@ static json_t *list_of(const char *const *words)
 static json_t *path_of(const char *path)
 {
     char real[PATH_MAX];
-    return json_string(realpath(path, real) ? real : path);
+    return json_text(realpath(path, real) ? real : path);
 }
 
 static json_t *note_of(const struct study *s)
