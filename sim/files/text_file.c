@@ -92,3 +92,11 @@ char *text_file_read(const char *path, size_t most, const char **why, int *line)
     close(fd);
     return text;
 }
+
+size_t text_cut(const char *text, size_t most)
+{
+    size_t length = strnlen(text, most);
+    while (length && (text[length] & 0xc0) == 0x80)
+        length--;
+    return length;
+}

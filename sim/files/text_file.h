@@ -1,4 +1,4 @@
-/* text_file.h - reads files that people write: whole, as UTF-8, up to a size limit. */
+/* text_file.h - reads files that people write: whole, as UTF-8, up to a size limit; and shortens texts. */
 #ifndef FILES_TEXT_FILE_H
 #define FILES_TEXT_FILE_H
 #include <stddef.h>
@@ -7,4 +7,7 @@
  * folder, is larger than `most` bytes, or has a byte that is 0 or not UTF-8; *line is then that byte's line,
  * otherwise 0. */
 char *text_file_read(const char *path, size_t most, const char **why, int *line);
+/* The length of the longest beginning of a UTF-8 text that has `most` bytes at most, and no part of a
+ * character. */
+size_t text_cut(const char *text, size_t most);
 #endif

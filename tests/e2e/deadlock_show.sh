@@ -40,6 +40,14 @@ show many.json -o many.svg
 check "512 nodes: a picture" test "$status" = 0
 check "512 nodes: no larger than that of four" test "$(stat -c %s many.svg)" -le "$(stat -c %s g.svg)"
 
+# Names too long for their boxes are cut between letters.
+line=$(printf 'x%.0s' {1..12})$(printf '\u00e4%.0s' {1..60})
+for more in '' x; do
+    sed "s/deadlock\.c/$line$more.c/g" why.json >wide.json
+    show wide.json -o wide.svg
+    check "letters of several bytes" test "$status" = 0 -a -s wide.svg
+done
+
 # What has no deadlock, or cannot be written, is said.
 run -q -n 4 --json fine.json --deadlock none.json ring
 for file in fine.json none.json; do

@@ -152,6 +152,20 @@ static void a_picture_is_xml_whatever_the_names(void **state)
     flame_free(f);
 }
 
+static void a_name_is_cut_between_characters(void **state)
+{
+    struct flame *f = load("" HEAD(1) "\"0 r 0 \\t\", \"0 f 1 gr\u00f6\u00dfer\\tx.c\", \"0 f 1 b\\tx.c\"], "
+                                      "\"shares\": [\"1 1 x.c\\t0:30 \", \"2 1 x.c\\t0:970 \"]}}",
+                           NULL, NULL);
+    char *text = written(f, flame_write_svg);
+    (void)state;
+    put("picture.svg", text);
+    assert_non_null(strstr(text, ">gr\u2026</text>"));
+    assert_int_equal(system("xmllint --noout picture.svg"), 0);
+    free(text);
+    flame_free(f);
+}
+
 static void a_program_that_did_nothing(void **state)
 {
     struct flame *f = load(HEAD(1) "\"0 r 0 \\t\"], \"shares\": []}}", NULL, NULL);
@@ -199,6 +213,7 @@ int main(void)
         cmocka_unit_test(stacks_are_folded),
         cmocka_unit_test(two_profiles_are_one_tree),
         cmocka_unit_test(a_picture_is_xml_whatever_the_names),
+        cmocka_unit_test(a_name_is_cut_between_characters),
         cmocka_unit_test(a_program_that_did_nothing),
         cmocka_unit_test(damaged_files_are_said),
     };

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "files/number_ranges.h"
+#include "files/text_file.h"
 #include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 #include "lab/deadlock/deadlock_edges.h"
@@ -24,11 +25,13 @@ static void put_text(const struct canvas *c, double x, double y, double width, s
                      const char *text)
 {
     char s[MOST_TEXT];
-    size_t length = strlen(text) < sizeof s - 4 ? strlen(text) : sizeof s - 4;
+    size_t length = text_cut(text, sizeof s - 4);
     memcpy(s, text, length);
     s[length] = '\0';
-    while (length > 1 && canvas_text_width(c, style, s) > width)
-        memcpy(s + --length, "\u2026", sizeof "\u2026");
+    while (length > 1 && canvas_text_width(c, style, s) > width) {
+        length = text_cut(s, length - 1);
+        memcpy(s + length, "\u2026", sizeof "\u2026");
+    }
     canvas_text(c, x, y, style, s);
 }
 

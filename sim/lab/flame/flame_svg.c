@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "files/text_file.h"
 #include "files/virtual_time.h"
 #include "lab/flame/flame.h"
 
@@ -99,7 +100,7 @@ static void write_colour(const struct svg *s, const struct flame_frame *f)
 
 static void write_escaped(const char *text, size_t most, FILE *out)
 {
-    for (size_t i = 0; text[i] && i < most; i++) {
+    for (size_t i = 0, length = text_cut(text, most); i < length; i++) {
         switch (text[i]) {
         case '<':
             fputs("&lt;", out);
