@@ -185,6 +185,16 @@ build file.c there -DNAME='"/cfs/result"'
 explore of/here -n 4 --runs 20 --same-file result here
 check "--same-file compares a file" ended_with 1
 check "each run writes its own; the one here stays as it was" grep -qx keep result
+mkdir deep
+echo keep >deep/result
+build file.c below -DNAME='"deep/result"'
+explore of/below -n 4 --runs 20 --same-file ./deep/result below
+check "--same-file compares a file of a folder" ended_with 1
+check "and that one stays as it was, too" grep -qx keep deep/result
+explore of/none -n 4 --runs 2 --same-file results here
+check "--same-file: a name that is no file's is told" said '^the run with the usual timing leaves no file results: is that its name'
+explore of/none -n 4 --runs 2 --same-file "$PWD/result" here
+check "--same-file: a run has no file by another folder's path" ended_with 64
 explore of/there -n 4 --runs 20 --same-file /cfs/result there
 check "--same-file compares a file of /cfs" ended_with 1
 explore unfiled -n 4 --runs 20 there

@@ -16,7 +16,7 @@
 #include "lab/jobs/session.h"
 #include "timing/draw_read.h"
 
-enum { RUNS = CLI_KEY, SECONDS, BOUNDS, DEPTH, TESTS };
+enum { RUNS = CLI_KEY, SECONDS, BOUNDS, DEPTH, TESTS, SAME_FILE };
 enum { USUAL_RUNS = 200, USUAL_TESTS = 200, USUAL_EXPLAINED = 8, USUAL_WALL_S = 600 };
 
 struct arguments {
@@ -42,7 +42,7 @@ static const struct argp_option OPTIONS[] = {
     {NULL, 0, NULL, 0, "What is compared:", 4},
     {"same", CLI_TEXT(arguments, same), "REGEX", 0,
      "Only lines of standard output that match REGEX (extended, POSIX); default all", 0},
-    {"same-file", CLI_TEXT(arguments, same_file), "FILE", 0,
+    {"same-file", SAME_FILE, "FILE", 0,
      "The bytes of a file that the program writes, also in /cfs; standard output only with --same", 0},
     {"ordered", CLI_FLAG(arguments, ordered), NULL, 0,
      "Lines must come in the same order; by default lines of different nodes may mix", 0},
@@ -91,6 +91,20 @@ static void set_bounds(struct argp_state *state, struct arguments *a, const char
     free(whole);
 }
 
+static void set_same_file(struct argp_state *state, struct arguments *a, const char *path)
+{
+    while (!strncmp(path, "./", 2))
+        path += 1 + strspn(path + 1, "/");
+    bool above = !strncmp(path, "../", 3) || strstr(path, "/../");
+    bool in_cfs = !strncmp(path, "/cfs/", 5) || !strncmp(path, "/pfs/", 5);
+    if (!*path || above || (*path == '/' && !in_cfs))
+        argp_error(state,
+                   "--same-file takes a file in the current folder or in /cfs, not '%s': each run works in a "
+                   "folder of its own",
+                   path);
+    a->same_file = path;
+}
+
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
@@ -103,6 +117,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->runs = cli_whole(state, "--runs", "a number of runs", UINT32_MAX, arg);
     else if (key == SECONDS)
         a->seconds = cli_seconds(state, "--seconds", arg);
+    else if (key == SAME_FILE)
+        set_same_file(state, a, arg);
     else if (key == BOUNDS)
         set_bounds(state, a, arg);
     else if (key == DEPTH)

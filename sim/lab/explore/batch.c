@@ -200,10 +200,13 @@ static bool keep_recording(struct doing *d, const struct task *t, json_t *record
 static json_t *record_of(struct doing *d, const struct task *t, enum journal_line_state *state)
 {
     char *file = compared_file(d, t);
-    json_t *record = verdict_of(d->place->rules, t->job.out ? t->job.out : "", t->json, file);
+    json_t *record =
+        t->job.cut ? NULL : verdict_of(d->place->rules, t->job.out ? t->job.out : "", t->json, file);
     *state = record ? LINE_DONE : LINE_FAILED;
     if (!record)
-        record = point_record_of_failure(t->job.error ? t->job.error : "the run wrote no figures",
+        record = point_record_of_failure(t->job.cut     ? POOL_CUT
+                                         : t->job.error ? t->job.error
+                                                        : "the run wrote no figures",
                                          t->job.wall_time_s);
     json_set(record, "name", json_string(t->run->name));
     json_set(record, "wall_time_s", json_real(t->job.wall_time_s));

@@ -6,6 +6,7 @@
 #include "files/folder_make.h"
 #include "kernel/hostclock.h"
 #include "kernel/xalloc.h"
+#include "lab/explore/run_verdict.h"
 #include "lab/jobs/own_folder.h"
 #include "lab/jobs/words.h"
 
@@ -113,6 +114,9 @@ static bool take_base(struct explore *x, const struct planned_run *base, char **
         fprintf(x->options.notes,
                 "the run with the usual timing, with which all others are compared, fails: %.*s\n",
                 (int)strcspn(message, "\n"), message); /* the report has the rest */
+    if (verdict_lacks_file(base->record))
+        fprintf(x->options.notes, "the run with the usual timing leaves no file %s: is that its name?\n",
+                x->options.subject.compare_file);
     double seconds = json_number_value(json_object_get(base->record, "virtual_time_s"));
     subject_limit(x->subject, TIMES_BASE * seconds + SECONDS_MORE);
     return true;

@@ -4,11 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 #include "files/json_set.h"
+#include "files/text_file.h"
 #include "kernel/xalloc.h"
 #include "lab/jobs/digest.h"
 #include "lab/jobs/words.h"
 
 enum { MOST_SHOWN = 4096 };
+static const char NO_FILE[] = "digest of the file: there is none\n";
 
 /* --- lines ---------------------------------------------------------------------------------------------- */
 
@@ -169,20 +171,22 @@ static void set_digest(json_t *record, const char *key, const char *text)
     json_set(record, key, json_string(digits));
 }
 
-/* A text that JSON can have: its first lines, as UTF-8. */
+/* The text's first lines. */
 static json_t *shown(const char *text)
 {
-    size_t size = strlen(text);
-    json_t *all = json_stringn(text, size < MOST_SHOWN ? size : MOST_SHOWN);
-    return all ? all : json_string("(not UTF-8 text)\n");
+    char *first = xstrndup(text, text_cut(text, MOST_SHOWN));
+    json_t *string = json_text(first);
+    free(first);
+    return string;
 }
 
 static char *file_text(const char *path)
 {
     struct digest d;
-    char digits[DIGEST_DIGITS + 1] = "there is none";
-    if (digest_file(path, &d))
-        digest_write(d, digits);
+    char digits[DIGEST_DIGITS + 1];
+    if (!digest_file(path, &d))
+        return xstrdup(NO_FILE);
+    digest_write(d, digits);
     return xasprintf("digest of the file: %s\n", digits);
 }
 
@@ -230,4 +234,10 @@ json_t *verdict_of(const struct verdict_rules *rules, const char *out, const cha
     free(text);
     json_decref(run);
     return record;
+}
+
+bool verdict_lacks_file(const json_t *record)
+{
+    const char *shown = json_string_value(json_object_get(record, "shown"));
+    return shown && strstr(shown, NO_FILE);
 }

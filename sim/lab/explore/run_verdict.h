@@ -25,4 +25,6 @@ struct verdict_rules {
  * out: the run's standard output; json: its figures (run --json); file: the path of the file that runs are
  * compared by, or NULL. NULL if the figures cannot be read: the run has not come to its end. */
 json_t *verdict_of(const struct verdict_rules *rules, const char *out, const char *json, const char *file);
+/* Has the run of the record not left the file that runs are compared by? */
+bool verdict_lacks_file(const json_t *record);
 #endif

@@ -26,13 +26,23 @@ struct plan {
     const struct timespec *until;
 };
 
+/* What of the exception's path is in the folder of that name; "" if the path is the name itself, NULL if it is
+ * another one. */
+static const char *exception_in(const struct plan *p, const char *name)
+{
+    size_t length = strlen(name);
+    if (!p->except || strncmp(p->except, name, length) || (p->except[length] && p->except[length] != '/'))
+        return NULL;
+    return p->except + length + strspn(p->except + length, "/");
+}
+
 /* Where the link of that name leads to; malloc'd. NULL: the folder has none. */
 static char *wanted(const struct plan *p, const char *name)
 {
     char *from = xasprintf("%s/%s", p->like, name);
     struct stat st;
-    if (!strcmp(name, ".") || !strcmp(name, "..") || (p->except && !strcmp(name, p->except)) ||
-        lstat(from, &st) || is_later(from, p->until)) {
+    if (!strcmp(name, ".") || !strcmp(name, "..") || exception_in(p, name) || lstat(from, &st) ||
+        is_later(from, p->until)) {
         free(from);
         return NULL;
     }
@@ -46,11 +56,18 @@ static bool leads_to(const char *link, const char *from)
     return length > 0 && (size_t)length == strlen(from) && !memcmp(now, from, (size_t)length);
 }
 
+/* A folder in which the exception is becomes a folder of its own, too. */
 static void link_one(const struct plan *p, const char *name)
 {
+    const char *inner = exception_in(p, name);
     char *from = wanted(p, name), *to = xasprintf("%s/%s", p->path, name);
     int made = from ? symlink(from, to) : 0;
     (void)made; /* without the link the program misses the file, and says so */
+    if (inner && *inner) {
+        char *like = xasprintf("%s/%s", p->like, name);
+        own_folder_make(to, like, inner, p->until);
+        free(like);
+    }
     free(from);
     free(to);
 }
