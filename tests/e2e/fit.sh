@@ -171,6 +171,9 @@ fit factor.cfg
 check "a factor is determined" ended_with 0
 check "and is the one" near computing 1.37
 check "the constants are factors for nxcc" grep -qE '^    \{ file = "parts.c"; factor = 1\.3[67][0-9]*; fitted_to = "3 measurements' runs/fitted.cfg
+"$BUILD/touchstone" fit factor.cfg --most 1 -o "it's here" >out 2>err </dev/null
+status=$?
+check "a folder whose name a shell would divide" ended_with 0
 check "with which it is the same program" bash -c '"$0" -O2 --factors runs/fitted.cfg -o parts2 parts.c' "$BUILD/nxcc"
 sed -i 's/ parts.c";/ part.c";/' factor.cfg
 fit factor.cfg

@@ -21,6 +21,13 @@ static json_t *digest_json(struct digest d)
     return json_string(text);
 }
 
+/* Of a text that is not UTF-8, its digest. NULL: null. */
+static json_t *text_json(const char *text)
+{
+    json_t *string = json_string_or_null(text);
+    return string ? string : digest_json(digest_of(text, strlen(text)));
+}
+
 static bool add_file(json_t *to, const char *key, const char *path, char **error)
 {
     struct digest d;
@@ -38,7 +45,7 @@ static json_t *words_json(const char *const *words, size_t most)
 {
     json_t *list = json_array();
     for (size_t i = 0; words && i < most && words[i]; i++)
-        json_append(list, json_string(words[i]));
+        json_append(list, text_json(words[i]));
     return list;
 }
 
@@ -75,10 +82,10 @@ static bool take_digest(struct subject *s, char **error)
     json_set(
         all, "arguments",
         words_json((const char *const *)o->program + 1, o->program_count ? (size_t)o->program_count - 1 : 0));
-    json_set(all, "folder", json_string(s->folder));
+    json_set(all, "folder", text_json(s->folder));
     json_set(all, "limit", json_real(o->max_virtual_s));
-    json_set(all, "rules", json_string(o->rules));
-    json_set(all, "file", json_string_or_null(o->compare_file));
+    json_set(all, "rules", text_json(o->rules));
+    json_set(all, "file", text_json(o->compare_file));
     if (o->input_bytes)
         json_set(all, "input", digest_json(digest_of(o->input, o->input_bytes)));
     bool good = add_file(all, "touchstone", o->runner, error) &&
@@ -216,16 +223,10 @@ char **subject_command(const struct subject *s, const char *timing, const struct
     return argv;
 }
 
-/* A word as a shell takes it. */
 static void append_word(char **text, const char *word)
 {
-    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
-    if (*word && !word[strspn(word, plain)]) {
-        words_append(text, " %s", word);
-        return;
-    }
-    char *quoted = words_filled(word, "'", "'\\''");
-    words_append(text, " '%s'", quoted);
+    char *quoted = words_quoted(word);
+    words_append(text, " %s", quoted);
     free(quoted);
 }
 

@@ -37,13 +37,29 @@ static bool write_file(const char *path, const char *text)
     return fclose(out) == 0 && written;
 }
 
+/* The command with the path in place of {name}, also of one in quotes: it is quoted where a shell needs it.
+ * malloc'd. */
+static char *with_path(const char *command, const char *name, const char *path)
+{
+    char *word = words_quoted(path), *text = xstrdup(command);
+    static const char *const QUOTES[] = {"\"", "'", ""};
+    for (size_t i = 0; i < sizeof QUOTES / sizeof *QUOTES; i++) {
+        char *hole = xasprintf("%s{%s}%s", QUOTES[i], name, QUOTES[i]),
+             *filled = words_filled(text, hole, word);
+        free(hole);
+        free(text);
+        text = filled;
+    }
+    free(word);
+    return text;
+}
+
 /* Runs the build command by the shell, in the study file's folder. */
 static bool command(struct fit *f, const char *factors)
 {
     const char *file = f->options->study.file, *slash = strrchr(file, '/');
     char *dir = slash ? xasprintf("%.*s", (int)(slash - file + 1), file) : xasprintf(".");
-    char *with = words_filled(f->build, "{factors}", factors),
-         *all = words_filled(with, "{program}", f->program);
+    char *with = with_path(f->build, "factors", factors), *all = with_path(with, "program", f->program);
     char *const argv[] = {"/bin/sh", "-c", all, NULL};
     struct pool_job job = {.name = "build", .argv = argv, .dir = dir};
     struct pool_end end = pool_run(&job, 1, 1, NULL);

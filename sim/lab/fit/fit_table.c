@@ -1,12 +1,15 @@
 /* fit_table.c - reads a table of measurements as comma-separated values: a line of names, then lines of
  * cells; see fit_parts.h. A cell may be in double quotes, with quotes in it doubled. Empty lines and lines
  * that begin with # are skipped. */
+#include "files/text_file.h"
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
 
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
+
+enum { LARGEST = 64 << 20 };
 
 /* Removes the blanks at both ends of a cell. */
 static char *bare(char *cell)
@@ -73,15 +76,18 @@ static bool read_row(char *line, const json_t *names, const char *at, fit_row *r
 
 bool fit_table(const char *path, fit_row *row, void *arg, char **error)
 {
-    FILE *in = fopen(path, "re");
-    char *line = NULL;
-    size_t size = 0, number = 0;
+    static const char mark[] = "\xef\xbb\xbf"; /* of UTF-8, which spreadsheets write */
+    const char *why;
+    int wrong;
+    char *all = text_file_read(path, LARGEST, &why, &wrong), *rest = all, *line;
     json_t *names = NULL;
-    bool good = in;
-    if (!in)
-        *error = xasprintf("%s: %m", path);
-    while (good && getline(&line, &size, in) >= 0) {
-        char *text = bare(line), *at = xasprintf("%s:%zu", path, ++number);
+    bool good = all;
+    if (!all)
+        *error = wrong ? xasprintf("%s:%d: %s", path, wrong, why) : xasprintf("%s: %s", path, why);
+    else if (strncmp(all, mark, strlen(mark)) == 0)
+        rest += strlen(mark);
+    for (size_t number = 1; good && (line = strsep(&rest, "\n")); number++) {
+        char *text = bare(line), *at = xasprintf("%s:%zu", path, number);
         if (!*text || *text == '#')
             ;
         else if (!names)
@@ -90,9 +96,7 @@ bool fit_table(const char *path, fit_row *row, void *arg, char **error)
             good = read_row(text, names, at, row, arg, error);
         free(at);
     }
-    if (in)
-        fclose(in);
     json_decref(names);
-    free(line);
+    free(all);
     return good;
 }

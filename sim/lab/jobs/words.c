@@ -51,3 +51,13 @@ char *words_filled(const char *text, const char *hole, const char *with)
     words_append(&done, "%s", text);
     return done;
 }
+
+char *words_quoted(const char *word)
+{
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
+    if (*word && !word[strspn(word, plain)])
+        return xstrdup(word);
+    char *inner = words_filled(word, "'", "'\\''"), *quoted = xasprintf("'%s'", inner);
+    free(inner);
+    return quoted;
+}

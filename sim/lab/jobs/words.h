@@ -13,4 +13,6 @@ void words_free(char **list);
 void words_append(char **text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* text with `with` in place of each `hole`; malloc'd. */
 char *words_filled(const char *text, const char *hole, const char *with);
+/* The word as a shell takes it, in quotes where that needs them; malloc'd. */
+char *words_quoted(const char *word);
 #endif
