@@ -233,10 +233,15 @@ static bool check_head(struct journal *j, char **error)
     return false;
 }
 
+static json_t *head_record(void)
+{
+    return json_pack("{s:i}", "journal of a touchstone study", 1);
+}
+
 /* Writes the first line. Call with the file locked. */
 static bool begin(struct journal *j, const char *dir, char **error)
 {
-    json_t *head = json_pack("{s:i}", "journal of a touchstone study", 1);
+    json_t *head = head_record();
     bool ok = append(j, (struct digest){0}, LINE_HEAD, head, true, error);
     int folder = open(dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder >= 0) {
@@ -247,11 +252,18 @@ static bool begin(struct journal *j, const char *dir, char **error)
     return ok;
 }
 
+/* Has the file nothing, or, of a dead writer, a part of the first line? */
 static bool is_empty(const struct journal *j)
 {
-    char text[4096];
+    char text[256];
+    size_t size;
     ssize_t got = pread(j->fd, text, sizeof text, 0);
-    return got <= 0 || !memchr(text, '\n', (size_t)got);
+    json_t *head = head_record();
+    char *line = journal_line_write((struct digest){0}, LINE_HEAD, head, &size);
+    bool part = got <= 0 || ((size_t)got < size && !memcmp(text, line, (size_t)got));
+    json_decref(head);
+    free(line);
+    return part;
 }
 
 /* Of processes that make the journal together, the first writes the head. */
