@@ -232,6 +232,41 @@ static void a_damaged_file_does_no_harm(void **state)
     free(path);
 }
 
+/* Is a trace read whose network is that one? Takes over the network. */
+static bool is_read(json_t *network)
+{
+    char *path = xstrdup("/tmp/test_trace_model.XXXXXX"), *error = NULL;
+    struct recorder_options o = ALL;
+    json_t *first = head();
+    json_object_set_new(first, "network", network);
+    o.out = fdopen(mkstemp(path), "w"), o.addresses = 2;
+    recorder_end(recorder_new(&o, first), 1000, 0);
+    json_decref(first);
+    fclose(o.out);
+    struct trace *t = trace_load(path, NULL, &error);
+    bool read = t;
+    if (!t)
+        assert_non_null(strstr(error, "head is damaged"));
+    free(error);
+    trace_free(t);
+    unlink(path);
+    free(path);
+    return read;
+}
+
+static void a_network_that_no_run_has_is_refused(void **state)
+{
+    (void)state;
+    json_t *mesh = json_pack("{s:s, s:i, s:i, s:i, s:i}", "shape", "mesh", "nodes", 2, "rows", 1, "columns",
+                             2, "addresses", 2);
+    assert_true(is_read(json_incref(mesh)));
+    json_object_set_new(mesh, "host", json_true());
+    assert_false(is_read(json_incref(mesh)));
+    json_object_del(mesh, "host");
+    json_object_set_new(mesh, "rows", json_integer(UINT32_MAX));
+    assert_false(is_read(mesh));
+}
+
 /* --- pieces --- */
 
 struct expected {
@@ -332,6 +367,7 @@ int main(void)
                                        cmocka_unit_test(a_file_is_read_as_written),
                                        cmocka_unit_test(a_part_is_what_overlaps),
                                        cmocka_unit_test(a_damaged_file_does_no_harm),
+                                       cmocka_unit_test(a_network_that_no_run_has_is_refused),
                                        cmocka_unit_test(the_system_cuts_computing_and_waiting),
                                        cmocka_unit_test(a_wait_rests_for_its_idle_time),
                                        cmocka_unit_test(a_handler_lies_on_top)};

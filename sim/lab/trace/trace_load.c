@@ -59,16 +59,18 @@ static void read_command(struct trace *t, const json_t *list)
 static bool read_network(struct topo *t, const json_t *o, uint32_t nodes)
 {
     const char *shape = json_string_value(json_object_get(o, "shape"));
-    uint32_t services = number_of(o, "services");
-    bool good = shape && !strcmp(shape, "mesh")
-                    ? topo_mesh(t, nodes, number_of(o, "rows"), number_of(o, "columns"))
-                    : topo_hypercube(t, nodes, 20);
-    if (!good)
+    bool mesh = shape && !strcmp(shape, "mesh"), host = json_is_true(json_object_get(o, "host"));
+    uint32_t services = number_of(o, "services"), rows = number_of(o, "rows"),
+             columns = number_of(o, "columns"), addresses = number_of(o, "addresses");
+    if (nodes > TOPO_ADDRESSES || rows > TOPO_ADDRESSES || columns > TOPO_ADDRESSES ||
+        services > TOPO_ADDRESSES || addresses > TOPO_ADDRESSES || (mesh && host))
+        return false;
+    if (!(mesh ? topo_mesh(t, nodes, rows, columns) : topo_hypercube(t, nodes, 20)))
         return false;
     topo_add_services(t, services);
-    if (json_is_true(json_object_get(o, "host")))
+    if (host)
         topo_add_host(t);
-    return t->addresses == number_of(o, "addresses");
+    return t->addresses == addresses;
 }
 
 static void make_nodes(struct trace *t, uint32_t nodes, const json_t *traced)
