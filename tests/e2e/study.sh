@@ -67,6 +67,36 @@ check "by name, with its end" said '^\[[0-9]/8\] nodes 4, share 3, call_us 500: 
 check "and the rest is there" grep -qE '^8 points, 2 failed' out
 check "the failure is in the results" test "$(grep -c '"failure": "exit' first/results.json)" = 2
 
+# A program with much output before its figures, one of which 64 bits do not hold, and a message that is not UTF-8; in a folder
+# whose name is not, either.
+cat >loud.c <<'END'
+#include <stdio.h>
+#include <stdlib.h>
+int main(int argc, char **argv)
+{
+    for (int i = 0; i < 50000; i++)
+        printf("a line that is no figure: %d\n", i);
+    printf("steps 18446744073709551615\ntotal_s 1.5\n");
+    if (argc == 1)
+        return 0;
+    fprintf(stderr, "l\xe4uft nicht\n");
+    exit(1);
+}
+END
+latin=$(printf 'K\366ln')
+mkdir "$latin"
+"$BUILD/nxcc" -o "$latin/loud" loud.c
+cat >"$latin/loud.cfg" <<'END'
+program = "loud";
+axes = ( { name = "nodes"; values = ( 1 ); }, { name = "how"; cases = ( { label = "a|b"; }, { label = "bad"; arguments = "bad"; } ); } );
+pictures = ( { file = "time"; x = "nodes"; y = "total_s"; lines = "how"; } );
+END
+study "$latin/loud.cfg" -o "$latin/out"
+check "a folder whose name is not UTF-8" ended_with 1
+check "figures behind much output; a large one is a real" grep -qE '^1,"a\|b",,[^,]*,1.8446744073709[0-9]*e\+19,1.5,' "$latin/out/results.csv"
+check "of a message that is not UTF-8, the rest is there" grep -q '"exit status 1: l?uft nicht' "$latin/out/results.csv"
+check "findings: a label does not end its cell" grep -qx '| nodes | a\\|b | bad |' "$latin/out/findings.md"
+
 study none.cfg
 check "no such file" ended_with 65
 check "is said" said '^touchstone study: none.cfg: cannot be read'

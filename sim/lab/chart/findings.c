@@ -409,6 +409,18 @@ static void write_panel(const struct page *p, size_t panel)
     fputc('\n', p->out);
 }
 
+/* So that a label is text, and no mark that ends a cell or begins HTML. */
+static void escape_labels(const struct chart_axis *a)
+{
+    static const char *const MARKS[][2] = {{"|", "\\|"}, {"<", "&lt;"}, {"\n", " "}};
+    for (size_t i = 0; i < a->count; i++)
+        for (size_t k = 0; k < sizeof MARKS / sizeof *MARKS; k++) {
+            char *marked = a->label[i];
+            a->label[i] = words_filled(marked, MARKS[k][0], MARKS[k][1]);
+            free(marked);
+        }
+}
+
 static bool write_picture(const struct record_points *points, const struct picture *picture, FILE *out,
                           char **error)
 {
@@ -416,6 +428,9 @@ static bool write_picture(const struct record_points *points, const struct pictu
     bool ok = chart_data_take(points, picture, &data, error);
     if (ok) {
         struct page page = {points, picture, &data, out};
+        const struct chart_axis *const axes[] = {&data.x, &data.lines, &data.panels, &data.best};
+        for (size_t i = 0; i < sizeof axes / sizeof *axes; i++)
+            escape_labels(axes[i]);
         const char *title = *picture->title ? picture->title : picture->file;
         fprintf(out, "\n## %s\n\n![%s](%s.png)\n\n", title, title, picture->file);
         const char *baseline = chart_baseline(points->header, picture);
