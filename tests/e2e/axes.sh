@@ -106,6 +106,10 @@ plot first --x knots --y virtual_time_s
 check "no such axis" said 'no picture virtual_time_s: there is no axis knots; there are: nodes, clock'
 plot first --x nodse --y virtual_time_s
 check "an axis misspelt" said 'no picture virtual_time_s: there is no axis nodse; did you mean nodes\? There are: nodes, clock'
+plot first --title mine
+check "a title needs the picture that it is of" said 'a picture of your own needs both --x and --y'
+plot first --study axes.cfg --x nodes --y virtual_time_s
+check "a study file has its own pictures" said '^touchstone plot: --study draws'
 plot axes.cfg
 check "a study is no results" said 'axes.cfg:1: these are no results of touchstone study'
 plot first --x nodes --y nothing

@@ -68,9 +68,23 @@ static const char DOC[] =
     "Example:\n"
     "  touchstone plot out/groups --x nodes --y idle_pct --lines group";
 
-static void check(struct argp_state *state, const struct picture *p)
+/* Does an option say something of a picture of the user's own? */
+static bool is_own(const struct picture *p)
 {
-    if (*p->x ? !*p->figure : *p->figure || *p->lines || *p->panels || *p->best || *p->ratio)
+    const char *const texts[] = {p->x,     p->figure,  p->lines,   p->panels,      p->best,         p->ratio,
+                                 p->title, p->x_label, p->y_label, p->lines_label, p->panels_label, p->file};
+    bool any = p->log_x || p->log_y || p->own_ranges;
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        any |= *texts[i] != '\0';
+    return any;
+}
+
+static void check(struct argp_state *state, const struct arguments *a)
+{
+    const struct picture *p = &a->picture;
+    if (is_own(p) && a->study)
+        argp_error(state, "--study draws that file's pictures, and no picture of your own beside them");
+    if (is_own(p) && (!*p->x || !*p->figure))
         argp_error(state, "a picture of your own needs both --x and --y");
     if (*p->best && *p->ratio)
         argp_error(state, "--ratio cannot be drawn of the --best");
@@ -100,7 +114,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     else if (key == ARGP_KEY_NO_ARGS)
         argp_error(state, "which results? (a folder that touchstone study wrote, or its results.json)");
     else if (key == ARGP_KEY_END)
-        check(state, &a->picture);
+        check(state, a);
     else
         return cli_store(key, arg, state);
     return 0;

@@ -204,7 +204,9 @@ static bool set_picture(struct argp_state *state, struct arguments *a, int key, 
         set_background(state, r, arg);
         break;
     case TURNTABLE:
-        r->frames = (unsigned)number(state, "--turntable", arg, 2, OUTPUT_MOST_FRAMES);
+        if (!cli_is_whole(arg, OUTPUT_MOST_FRAMES, &r->frames) || r->frames < 2)
+            argp_error(state, "--turntable takes a number of pictures from 2 to %d, not '%s'",
+                       OUTPUT_MOST_FRAMES, arg);
         break;
     case BY:
         r->by_node = !strcmp(arg, "node");

@@ -61,7 +61,7 @@ static void read_tables(struct argp_state *state, const char *text, unsigned tab
         long value = strtol(number, &end, 10);
         if (end == number || value < 1 || value > 99 || (*end && *end != ','))
             break;
-        tables[n] = (unsigned)value;
+        tables[n] = (unsigned)value, tables[n + 1] = 0;
         if (!*end)
             return;
     }
