@@ -21,6 +21,7 @@ import io
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import warnings
@@ -97,13 +98,13 @@ def _flat(row, before=""):
     return flat
 
 
+NUMBER = re.compile(r"-?(?:0|[1-9][0-9]*)(\.[0-9]+)?(e[+-]?[0-9]+)?")
+
+
 def _value(text):
-    for kind in (int, float):
-        try:
-            return kind(text)
-        except ValueError:
-            pass
-    return text
+    """A number as the commands write it; other texts are texts, also those that Python would take for numbers: 08, 1_000, inf."""
+    found = NUMBER.fullmatch(text)
+    return text if not found else float(text) if found[1] or found[2] else int(text)
 
 
 def _of_csv(text):
@@ -124,7 +125,7 @@ def _binary():
 
 def _call(*words, good=(0,)):  # (what the programs of a run write on standard error is no warning)
     done = subprocess.run([_binary(), *map(str, words)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          text=True, check=False)
+                          encoding="utf-8", errors="replace", check=False)  # (programs print any bytes)
     if done.returncode not in good:
         raise Error(done.stderr, done.returncode)
     if words[0] != "run" and done.stderr:
@@ -166,7 +167,7 @@ def run(program, *arguments, machine=None, nodes=None, set=(), options=()):  # n
     options: others of touchstone run, such as ("--trace", "ring.trace")."""
     words = ["run", "-q", "--json", "-", *options]
     words += ["-m", machine] if machine else []
-    words += ["-n", nodes] if nodes else []
+    words += ["-n", nodes] if nodes is not None else []
     if isinstance(set, dict):
         set = [f"{key}={value}" for key, value in set.items()]  # noqa: A001
     for setting in [set] if isinstance(set, str) else set:
@@ -185,7 +186,7 @@ def results(folder):
     points = pathlib.Path(folder) / "results.csv"
     if not points.is_file():
         raise Error(f"{folder} has no results.csv, which touchstone study writes when all points are run", 65)
-    return _of_csv(points.read_text())
+    return _of_csv(points.read_text(encoding="utf-8"))
 
 
 def trace(path, table="pieces"):

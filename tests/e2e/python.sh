@@ -35,6 +35,11 @@ says "one row is no rows" "... 1 row more" "repr(t.Table([{'a': 1}] * 21)).split
 says "a long table at the prompt" "22 ... 5 rows more" "(lambda l: f'{len(l)} {l[-1]}')(repr(t.Table([{'a': 1.23456789}] * 25)).split(chr(10)))"
 says "an empty table at the prompt" "" "t.Table()"
 says "a digest of digits only is a text" "['0000000000000000', '12e4567890123456']" "t.results('study').column('digest')"
+printf 'nodes,label\n1,"08"\n2,"1_000"\n3,"inf"\n4,1.5e-05\n' >study/results.csv
+says "a text is no number because Python would take it for one" "['08', '1_000', 'inf', 1.5e-05]" "t.results('study').column('label')"
+printf '#include <stdio.h>\nint main(void) { puts("gr\\xfcn"); return 0; }\n' >latin.c
+"$BUILD/nxcc" -o latin latin.c
+says "a program that prints what is not UTF-8" "'gr\ufffdn\n'" "ascii(t.run('latin', nodes=1).output)"
 says "a trace: a row a message" "$(jq .messages run.json)" "len(t.trace('t.trace', 'messages'))"
 says "why: its sentences" True "str(t.why('t.trace')).startswith('ring took ')"
 says "why: at the prompt, too" True "repr(t.why('t.trace')).startswith('ring took ')"
