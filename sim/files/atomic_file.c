@@ -5,10 +5,12 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #define UNFINISHED ".unfinished-" /* and six letters that are random */
@@ -180,11 +182,35 @@ void atomic_file_drop(struct atomic_file *f)
     forget(f);
 }
 
+/* A folder that is removed like the file; NULL: none. */
+static const char *volatile begun_folder;
+
+/* By another program: a signal's handler may not read a folder. */
+static void drop_folder(const char *path)
+{
+    char *const argv[] = {(char *)(uintptr_t) "rm", (char *)(uintptr_t) "-rf", (char *)(uintptr_t) "--",
+                          (char *)(uintptr_t)path, NULL};
+    pid_t child = _Fork();
+    if (child == 0) {
+        execv("/bin/rm", argv);
+        _exit(127);
+    }
+    if (child > 0)
+        waitpid(child, NULL, 0);
+}
+
 static void drop_and_end(int signal)
 {
     if (begun_last)
         unlink(begun_last);
+    if (begun_folder)
+        drop_folder(begun_folder);
     raise(signal);
+}
+
+void atomic_file_drop_folder_at_signals(const char *path)
+{
+    begun_folder = path;
 }
 
 void atomic_file_drop_at_signals(void)

@@ -32,6 +32,8 @@ void atomic_file_drop(struct atomic_file *f);
 /* From now on SIGINT, SIGTERM and SIGHUP remove the file that was begun last before they end the process: for
  * commands that write one file at a time and do nothing else at a signal. */
 void atomic_file_drop_at_signals(void);
+/* And this folder, with all that is in it. The path must last; NULL: none any more. */
+void atomic_file_drop_folder_at_signals(const char *path);
 
 /* Removes what killed processes left that were writing a file to that path. It reads the folder: for files
  * whose writing takes as long as a run. */

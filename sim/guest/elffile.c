@@ -39,7 +39,7 @@ static const void *table_at(const struct elf_file *f, uint64_t offset, uint64_t 
 static bool read_bytes(struct elf_file *f, char **error)
 {
     struct stat st;
-    f->fd = open(f->path, O_RDONLY | O_CLOEXEC);
+    f->fd = open(f->path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (f->fd < 0 || fstat(f->fd, &st) != 0)
         return elf_fail(error, "%s: %s", f->path, strerror(errno));
     if (!S_ISREG(st.st_mode))

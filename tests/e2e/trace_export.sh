@@ -127,3 +127,34 @@ check "is said" said 'full.picl cannot be written'
 status=$?
 check "no room for otf2" ended_with 1
 check "leaves nothing" test -z "$(ls -d large* 2>/dev/null)"
+export_trace -f otf2 -o slash.otf2/ ring.trace
+check "otf2: a folder's name may end in a slash" test -s slash.otf2/traces.otf2
+
+cat >many.c <<'END'
+#include <nx.h>
+int main(void)
+{
+    int x = 0;
+    for (int k = 0; k < 40000; k++)
+        if (mynode() == 0)
+            csend(1, &x, sizeof x, 1, 0);
+        else
+            crecv(1, &x, sizeof x);
+    return 0;
+}
+END
+"$BUILD/nxcc" -o many many.c
+run -q -n 2 --trace many.trace many
+"$BUILD/touchstone" trace export -o stopped.otf2 many.trace 2>err &
+begun() { ls -d stopped.otf2.??????; }
+awaited begun >files 2>/dev/null
+check "otf2 takes long" test -s files
+kill -TERM $!
+wait $!
+check "stopped, it leaves nothing" test -z "$(ls -d stopped* 2>/dev/null)"
+
+rm ring
+mkfifo ring
+limited "$BUILD/touchstone" trace export -f csv --table calls ring.trace >out 2>err
+status=$?
+check "a program that has become a pipe is not waited for" ended_with 0

@@ -56,6 +56,15 @@ check "bytes are not messages" test "$(cmp -s matrix.svg svg/matrix.svg && echo 
 mkdir folder
 show matrix -o folder/ ring.trace
 check "a folder's name may end in a slash" grep -qx folder/matrix.png out
+"$BUILD/touchstone" trace show - <ring.trace >out
+check "of standard input, the picture is called trace" is_png trace-gantt.png
+"$BUILD/touchstone" trace show film --frames 1000 -o stopped.webp ring.trace >out 2>err &
+begun() { ls stopped.webp.unfinished-* 2>/dev/null; }
+awaited begun >files
+check "a film takes long" test -s files
+kill -TERM $!
+wait $!
+check "stopped, it leaves nothing" test -z "$(ls stopped.webp* 2>/dev/null)"
 show matrix -o - ring.trace
 check "- is standard output" cmp out png/matrix.png
 show gantt -o some.png --from 1ms --to 2ms --nodes 0-2,5 ring.trace

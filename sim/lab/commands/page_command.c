@@ -126,6 +126,7 @@ int cli_page(int argc, char **argv)
     struct arguments a = {0};
     char *error = NULL;
     cli_parse(&ARGP, "touchstone page", 0, argc, argv, &a);
+    atomic_file_drop_at_signals();
     struct page *p = page_new();
     bool ok = is_free(a.out, &error) && add_inputs(p, &a, &error) && write_file(p, &a, &error);
     if (!ok)

@@ -136,6 +136,7 @@ int cli_profile(int argc, char **argv)
     struct arguments a = {0};
     char *error = NULL;
     cli_parse(&ARGP, "touchstone profile", 0, argc, argv, &a);
+    atomic_file_drop_at_signals();
     struct flame_selection select = {a.nodes, a.node_count};
     struct flame *f = flame_load(a.path, a.before, &select, &error);
     int status = f ? write_out(f, &a) : fail(error, CLI_EXIT_INPUT);

@@ -7,6 +7,7 @@
 #include "lab/commands/trace_warning.h"
 #include "cli/say.h"
 #include "cli/trace_options.h"
+#include "files/atomic_file.h"
 #include "files/folder_make.h"
 #include "files/virtual_time.h"
 #include "kernel/xalloc.h"
@@ -245,7 +246,8 @@ static char *path_of(const struct arguments *a, const struct display *d)
     if (a->output)
         return xasprintf("%s%s%s.%s", a->output,
                          *a->output && a->output[strlen(a->output) - 1] == '/' ? "" : "/", d->name, ending);
-    const char *path = a->run.path, *base = basename(path), *dot = strrchr(base, '.');
+    const char *path = strcmp(a->run.path, "-") ? a->run.path : "trace", *base = basename(path),
+               *dot = strrchr(base, '.');
     size_t length = dot && dot > base ? (size_t)(dot - path) : strlen(path);
     return xasprintf("%.*s-%s%s.%s", (int)length, path, d->name, a->other.path ? "-than" : "", ending);
 }
@@ -414,6 +416,7 @@ int cli_trace_show(int argc, char **argv)
     const struct argp argp = {options, parse, "[DISPLAY...] TRACE\nlist", doc, CHILDREN, NULL, NULL};
     struct arguments a = {.run.show.frames = DEFAULT_FRAMES};
     cli_parse(&argp, "touchstone trace show", 0, argc, argv, &a);
+    atomic_file_drop_at_signals();
     int status = a.list ? list() : show(&a);
     canvas_forget_fonts();
     free((bool *)(uintptr_t)a.select.nodes);

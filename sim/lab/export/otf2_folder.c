@@ -12,6 +12,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "files/atomic_file.h"
 #include "kernel/xalloc.h"
 
 enum { COMMUNICATOR = 0, ATTRIBUTE_MESSAGE = 0, EVENT_BYTES = 1 << 20, DEFINITION_BYTES = 4 << 20 };
@@ -291,7 +292,10 @@ static int remove_one(const char *path, const struct stat *st, int type, struct 
 /* Makes an empty folder beside that of the name. NULL with errno. */
 static char *begin_folder(const char *folder)
 {
-    char *unfinished = xasprintf("%s.XXXXXX", folder);
+    size_t length = strlen(folder);
+    while (length > 1 && folder[length - 1] == '/')
+        length--;
+    char *unfinished = xasprintf("%.*s.XXXXXX", (int)length, folder);
     mode_t without = umask(0);
     umask(without);
     if (mkdtemp(unfinished) && chmod(unfinished, 0777 & ~without) == 0)
@@ -315,10 +319,12 @@ bool otf2_folder_write(const struct timeline *l, const char *folder, const struc
         *error = xasprintf("%s cannot be made: %m", folder);
         return false;
     }
+    atomic_file_drop_folder_at_signals(unfinished);
     OTF2_ErrorCallback before = OTF2_Error_RegisterCallback(note_error, &w);
     write_archive(&w, unfinished, p);
     OTF2_Error_RegisterCallback(before, NULL);
     bool ok = w.archive && !w.error && rename(unfinished, folder) == 0;
+    atomic_file_drop_folder_at_signals(NULL);
     if (!ok) {
         *error = w.error ? xasprintf("%s cannot be written: %s", folder, w.error)
                          : xasprintf("%s cannot be written: %m", folder);
