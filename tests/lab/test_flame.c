@@ -195,6 +195,8 @@ static void damaged_files_are_said(void **state)
     fails("", "is no profile");
     fails("{\"nodes\": 4}", "is no profile");
     fails("{\"functions\": []}", "has no paths of calls");
+    fails(HEAD(0) "], \"shares\": []}}", "its number of nodes is none");
+    fails(HEAD(4294967295) "], \"shares\": []}}", "its number of nodes is none");
     fails(HEAD(1) "\"0 r 0 \\t\", \"2 f 1 f\\ta.c\"], \"shares\": []}}", "its spot 1");
     fails(HEAD(1) "\"0 r 0 \\t\", \"0 z 1 f\\ta.c\"], \"shares\": []}}", "its spot 1");
     fails(HEAD(1) "\"0 r 0 \\t\", 7], \"shares\": []}}", "its spot 1");

@@ -180,6 +180,13 @@ static void assert_values(const char *rest, const char *axis, const char *expect
     spec_free(s);
 }
 
+static void a_run_is_given_the_digits_of_the_file(void **state)
+{
+    (void)state;
+    assert_values("axes = ( { name = \"f\"; values = ( 3.14159265358979, 0.1 ); arguments = \"{}\"; } );",
+                  "f", "3.14159265358979 0.1");
+}
+
 static void ranges_hold_both_ends(void **state)
 {
     (void)state;
@@ -257,6 +264,7 @@ int main(void)
         cmocka_unit_test(mistakes_are_named_with_line_and_remedy),
         cmocka_unit_test(an_axis_may_act_through_others),
         cmocka_unit_test(a_file_that_is_not_there),
+        cmocka_unit_test(a_run_is_given_the_digits_of_the_file),
         cmocka_unit_test(ranges_hold_both_ends),
         cmocka_unit_test(axes_follow_from_others),
         cmocka_unit_test(arguments_may_be_for_some_points),

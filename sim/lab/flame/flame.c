@@ -6,6 +6,7 @@
 #include <string.h>
 #include "kernel/xalloc.h"
 
+enum { MOST_NODES = 1 << 20 };
 static const char KINDS[] = "rfilcwo"; /* in the file, by enum flame_kind */
 
 /* What is being read. */
@@ -164,7 +165,12 @@ static bool read_shares(struct reading *r, const json_t *list, char **error)
 static bool read_nodes(struct reading *r, const json_t *j, char **error)
 {
     struct flame *f = r->flame;
-    r->nodes = (uint32_t)json_integer_value(json_object_get(j, "nodes"));
+    json_int_t nodes = json_integer_value(json_object_get(j, "nodes"));
+    if (nodes < 1 || nodes > MOST_NODES) {
+        *error = xasprintf("%s: its number of nodes is none from 1 to %d", r->path, MOST_NODES);
+        return false;
+    }
+    r->nodes = (uint32_t)nodes;
     for (uint32_t k = 0; k < r->nodes; k++)
         f->nodes[r->profile] += is_selected(r, k);
     if (f->nodes[r->profile])

@@ -6,7 +6,6 @@
 #include "kernel/xalloc.h"
 #include "lab/jobs/journal_line.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -30,7 +29,6 @@ static char *read_all(const char *path, size_t *size)
     struct stat st;
     FILE *in = fopen(path, "re");
     char *text = NULL;
-    errno = in ? 0 : errno;
     if (in && fstat(fileno(in), &st) == 0 && (text = malloc((size_t)st.st_size + 1)))
         *size = fread(text, 1, (size_t)st.st_size, in);
     if (in)

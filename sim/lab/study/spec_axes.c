@@ -36,8 +36,8 @@ static bool read_plain(struct cfg_reader *r, config_setting_t *s, struct spec_va
         value->label = xasprintf("%lld", config_setting_get_int64(s));
         return true;
     case CONFIG_TYPE_FLOAT:
-        value->number = config_setting_get_float(s);
-        value->label = xasprintf("%.12g", value->number);
+        value->label = xasprintf("%.15g", config_setting_get_float(s));
+        value->number = strtod(value->label, NULL); /* the number that a run is given */
         return true;
     case CONFIG_TYPE_STRING:
         value->number = NAN;
