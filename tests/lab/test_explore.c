@@ -501,11 +501,11 @@ static void two_of_a_thousand_are_found_by_few_tests(void **state)
 
 /* --- verdicts ------------------------------------------------------------------------------------------- */
 
-/* The group of a run with these figures and this output. */
-static char *group_of(const struct verdict_rules *rules, const char *end, const char *message,
-                      const char *out)
+/* A text in the record of a run with these figures and this output. */
+static char *recorded(const struct verdict_rules *rules, const char *end, const char *message,
+                      const char *out, const char *key)
 {
-    char path[] = "/tmp/test_explore.XXXXXX", *group = NULL;
+    char path[] = "/tmp/test_explore.XXXXXX", *text = NULL;
     int fd = mkstemp(path);
     FILE *f = fdopen(fd, "w");
     json_t *run = json_pack("{s:s, s:f, s:[], s:s*}", "outcome", end, "virtual_time_s", 1.0, "host_files",
@@ -515,19 +515,35 @@ static char *group_of(const struct verdict_rules *rules, const char *end, const 
     json_decref(run);
     json_t *record = verdict_of(rules, out, path, NULL);
     assert_non_null(record);
-    group = xstrdup(json_string_value(json_object_get(record, "group")));
+    text = xstrdup(json_string_value(json_object_get(record, key)));
     json_decref(record);
     unlink(path);
-    return group;
+    return text;
 }
 
 static void check_group(const struct verdict_rules *rules, const char *const one[3],
                         const char *const other[3], bool same)
 {
-    char *a = group_of(rules, one[0], one[1], one[2]), *b = group_of(rules, other[0], other[1], other[2]);
+    char *a = recorded(rules, one[0], one[1], one[2], "group"),
+         *b = recorded(rules, other[0], other[1], other[2], "group");
     assert_int_equal(!strcmp(a, b), same);
     free(a);
     free(b);
+}
+
+static void what_is_shown_ends_between_characters(void **state)
+{
+    char out[8192] = "", *shown;
+    const struct verdict_rules all = {0};
+    (void)state;
+    memset(out, 'x', 4095);
+    strcpy(out + 4095, "\u00fc and more");
+    shown = recorded(&all, "ended", NULL, out, "shown");
+    assert_int_equal(strlen(shown), 4095);
+    free(shown);
+    shown = recorded(&all, "ended", NULL, "gr\xfcn\n", "shown");
+    assert_string_equal(shown, "gr?n\n");
+    free(shown);
 }
 
 static void runs_are_the_same_by_what_counts(void **state)
@@ -703,6 +719,7 @@ int main(void)
         cmocka_unit_test(a_handler_may_run_behind_what_comes_next),
         cmocka_unit_test(the_least_is_1_minimal),
         cmocka_unit_test(two_of_a_thousand_are_found_by_few_tests),
+        cmocka_unit_test(what_is_shown_ends_between_characters),
         cmocka_unit_test(runs_are_the_same_by_what_counts),
         cmocka_unit_test(the_first_difference_is_found),
         cmocka_unit_test(a_handler_behind_another_call_is_told),

@@ -247,6 +247,9 @@ static void a_table_has_names_and_rows(void **state)
     assert_rows("# measured\n\n a , b\r\n 1 ,\"x, \"\"y\"\"\"\r\n", "[{\"a\":\"1\",\"b\":\"x, \\\"y\\\"\"}]");
     assert_rows("a,b,c\n,-,3\n", "[{\"c\":\"3\"}]"); /* empty and - are not measured */
     assert_rows("a,b\n\"1\",2", "[{\"a\":\"1\",\"b\":\"2\"}]");
+    assert_rows("\xef\xbb\xbf"
+                "a,b\n1,2\n",
+                "[{\"a\":\"1\",\"b\":\"2\"}]"); /* of a spreadsheet */
     assert_rows("", "[]");
 }
 
@@ -256,6 +259,7 @@ static void a_wrong_table_is_told_by_line(void **state)
     assert_rows("a,b\n1,2\n1\n", ":3: 1 cells, and 2 names in the first line");
     assert_rows("a,b\n1,2,3\n", ":2: 3 cells, and 2 names in the first line");
     assert_rows("a,,b\n", ":1: column 2: a name is needed, and each only once");
+    assert_rows("a,b\n1,gr\xfcn\n", ":2: a byte that is not UTF-8 text");
     assert_rows("a,b,a\n", ":1: column 3: a name is needed, and each only once");
 }
 
