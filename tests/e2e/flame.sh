@@ -113,6 +113,9 @@ check "with the status of wrong input" ended_with 65
 profile --lines -f svg p.json
 check "lines are no picture" said '--lines is with -f text or json'
 
+profile --json one.json -o two.svg p.json
+check "--json leaves no other output" said '--json FILE is the same as -f json -o FILE'
+
 # Fortran
 check "Fortran builds" "$BUILD/nxf77" -O2 --profile -o fortran "$tests/flame.f"
 run -n 2 --profile f.json --json j.json fortran

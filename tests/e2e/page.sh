@@ -114,6 +114,8 @@ page none.html hello
 check "a text is told, with its line" said '^touchstone page: hello:1: '
 page none.html .
 check "a folder without results is told" said '^touchstone page: \.: a folder without results.json'
+page part.html study --nodes 0
+check "a part of what is no trace is told" said '^touchstone page: --nodes, --from and --to say what of traces'
 cp run.json kept.json
 page run.json run.trace
 check "a page is not written over results" said '^touchstone page: run.json is there, and is no page'

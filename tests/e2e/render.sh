@@ -131,6 +131,7 @@ wrong "files without nodes" 65 'ball_5.ply: its faces have no property node' bal
 wrong "an ending that is none" 64 "not 'x.dxf'" ball_5.ply -o x.dxf
 wrong "a turntable as PNG" 64 "a turntable is a .webp file, not 'x.png'" ball_5.ply --turntable 4 -o x.png
 wrong "a turntable of half a picture" 64 "from 2 to 720, not '2.5'" ball_5.ply --turntable 2.5 -o x.webp
+wrong "colours beside those of nodes" 64 '--by node gives the colours' ball_5.ply --by node --colour red
 wrong "a size that is none" 64 "not '12'" ball_5.ply --size 12
 wrong "a view that is none" 64 'from -90 to 90' ball_5.ply --view 0,91
 wrong "a colour that is none" 64 "or one of orange.*not 'mauve'" ball_5.ply --colour mauve

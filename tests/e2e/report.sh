@@ -28,6 +28,9 @@ check "--explain: both accounts add up to nodes x total" \
     awk '/^With -times/ { total = $9 }
          /nodes x total/ { n++; if (($4 - 2 * total)^2 > 1e-4 || ($6 - 6 * total)^2 > 1e-4) bad = 1 }
          END { exit bad || n != 2 }' out
+tables --explain 1:8 -t 1
+check "--explain: of tables it shows none" said 'explain only shows a row'
+tables --explain 1:8
 check "--explain: what is waited for is named" grep -qE '^  idle: msgwait, chunks ' out
 check "--explain: lines with long names keep to the columns" \
     eval "grep -q '^  idle: msgwait, global operations ' out && [ \$(grep -E '^  (idle|system|computing): ' out | awk '{ print length }' | sort -u | wc -l) = 1 ]"

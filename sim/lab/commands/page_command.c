@@ -104,6 +104,10 @@ static bool add_inputs(struct page *p, const struct arguments *a, char **error)
     for (size_t i = 0; i < a->count; i++)
         if (!add_input(p, a->inputs[i], &a->select, error))
             return false;
+    if ((a->select.nodes || a->select.from || a->select.to) && !page_has_trace(p)) {
+        *error = xasprintf("--nodes, --from and --to say what of traces, and no input is one");
+        return false;
+    }
     return true;
 }
 

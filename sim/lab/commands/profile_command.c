@@ -8,7 +8,7 @@
 #include "files/atomic_file.h"
 #include "lab/flame/flame.h"
 
-enum { NODES = CLI_KEY, JSON };
+enum { NODES = CLI_KEY };
 
 typedef void writer(const struct flame *f, FILE *out);
 
@@ -22,7 +22,7 @@ static const struct format {
 enum { FORMAT_COUNT = sizeof FORMATS / sizeof *FORMATS };
 
 struct arguments {
-    const char *path, *before, *out;
+    const char *path, *before, *out, *json;
     const struct format *format;
     bool lines;
     bool *nodes;
@@ -36,7 +36,7 @@ static const struct argp_option OPTIONS[] = {
      0},
     {"output", 'o', "OUT", 0,
      "Write to the file OUT; the end of its name is the format, unless -f says another", 0},
-    {"json", JSON, "FILE", 0, "The same as -f json -o FILE; '-' is standard output", 0},
+    {"json", CLI_TEXT(arguments, json), "FILE", 0, "The same as -f json -o FILE; '-' is standard output", 0},
     {"lines", CLI_FLAG(arguments, lines), NULL, 0,
      "Lines of source instead of paths of calls; with -f text or json", 0},
     {"diff", CLI_TEXT(arguments, before), "OTHER", 0,
@@ -62,6 +62,10 @@ static const struct format *format_of_output(const char *out)
 
 static void check(struct argp_state *state, struct arguments *a)
 {
+    if (a->json && (a->format || a->out))
+        argp_error(state, "--json FILE is the same as -f json -o FILE, and leaves no other -f or -o");
+    if (a->json)
+        a->format = find_format("json"), a->out = a->json;
     if (!a->format)
         a->format = format_of_output(a->out);
     if (a->lines && !a->format->lines)
@@ -75,8 +79,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         argp_error(state, "-f takes text, folded, svg or json, not '%s'", arg);
     else if (key == 'o')
         a->out = arg;
-    else if (key == JSON)
-        a->format = find_format("json"), a->out = arg;
     else if (key == NODES)
         cli_node_list(state, "--nodes", arg, &a->nodes, &a->node_count);
     else if (key == ARGP_KEY_ARG)

@@ -172,6 +172,8 @@ static void finish(struct argp_state *state, struct arguments *a)
                    r->path);
     if (kind == OUTPUT_MESH && a->of_pictures)
         argp_error(state, "%s is for pictures, and %s is none", a->of_pictures, r->path);
+    if (a->colours && r->by_node)
+        argp_error(state, "--by node gives the colours, and leaves none for --colour");
     if (a->colours)
         each_file(state, "--colour", a->colours, set_colour);
     if (a->opacities)

@@ -77,6 +77,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         read_tables(state, arg, a->tables);
     else if (key == 'o')
         a->dir = arg;
+    else if (key == ARGP_KEY_END && a->explain && (a->tables[0] || a->ties || a->report || a->choices))
+        argp_error(state,
+                   "--explain only shows a row: --tables, --ties, --report and --choices are for tables");
     else
         return cli_store(key, arg, state);
     return 0;

@@ -59,6 +59,14 @@ void page_add_trace(struct page *p, const char *name, const struct trace *t)
     p->count++;
 }
 
+bool page_has_trace(const struct page *p)
+{
+    for (size_t i = 0; i < p->count; i++)
+        if (p->items[i].kind == PAGE_TRACE)
+            return true;
+    return false;
+}
+
 void page_set_live(struct page *p)
 {
     p->live = true;

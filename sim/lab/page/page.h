@@ -4,7 +4,7 @@
  *
  *     struct page *p = page_new();
  *     page_add(p, "out/groups", NULL, &error);        what it shows
- *     page_write(p, "Groups", stdout, &error);        to any stream
+ *     page_write(p, "Groups", stdout);                to any stream
  *     page_free(p);
  *
  * The data are written as base64 of deflated bytes, one script element of type text/plain an item
@@ -32,6 +32,8 @@ bool page_add(struct page *p, const char *path, const struct trace_selection *se
 void page_add_study(struct page *p, const char *name, json_t *results);
 /* Adds a trace in memory, which must outlive the page. name: as people shall read it. */
 void page_add_trace(struct page *p, const char *name, const struct trace *t);
+/* Is a trace among what was added? */
+bool page_has_trace(const struct page *p);
 
 /* From now on the page is a live one: its scripts may ask where the page came from, and only there, for
  * what is new (web/live.js); see lab/serve/serve.h. */
