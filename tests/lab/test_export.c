@@ -308,6 +308,17 @@ static void nodes_not_traced(void **state)
     drop(&t);
 }
 
+/* As in a damaged trace: what is made of it nobody can say, but all formats are written. */
+static void a_node_that_ends_before_its_calls(void **state)
+{
+    (void)state;
+    struct trace t = exchange();
+    t.nodes[0].end = t.nodes[1].end = t.from + 1;
+    for (enum export_format f = 0; f < EXPORT_FORMATS; f++)
+        free(exported(&t, f, EXPORT_TABLES));
+    drop(&t);
+}
+
 /* --- names and tables --- */
 
 static void formats_by_ending(void **state)
@@ -450,6 +461,7 @@ int main(void)
         cmocka_unit_test(a_cut_trace),
         cmocka_unit_test(nothing_happened),
         cmocka_unit_test(nodes_not_traced),
+        cmocka_unit_test(a_node_that_ends_before_its_calls),
         cmocka_unit_test(formats_by_ending),
         cmocka_unit_test(text_is_quoted),
         cmocka_unit_test(tables_are_tables),

@@ -65,12 +65,12 @@ void in_order_line(struct in_order *o, vtime time, const char *format, ...)
     va_start(list, format);
     int bytes = vsnprintf(text, sizeof text, format, list);
     va_end(list);
-    assert(bytes >= 0 && bytes < MOST_BYTES && time >= s->last);
-    struct head h = {time, (uint32_t)bytes};
+    assert(bytes >= 0 && bytes < MOST_BYTES);
+    struct head h = {vt_max(time, s->last), (uint32_t)bytes};
     fwrite(&h, sizeof h, 1, o->file);
     fwrite(text, 1, h.bytes, o->file);
     s->end += (off_t)(sizeof h + h.bytes);
-    s->last = time;
+    s->last = h.time;
 }
 
 /* --- merging --- */

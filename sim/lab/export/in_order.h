@@ -13,7 +13,8 @@ struct in_order;
 struct in_order *in_order_new(char **error);
 /* Begins a stream. Lines of equal times come in the order of their streams. */
 void in_order_stream(struct in_order *o);
-/* Adds a line to the stream; not before the stream's last one. */
+/* Adds a line to the stream. One that should come before the stream's last, as in a damaged trace, comes
+ * behind. */
 void in_order_line(struct in_order *o, vtime time, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 /* Writes all lines, in order of time. False with *error (malloc'd) if the temporary file failed; whether
