@@ -12,9 +12,9 @@
 
 enum { FIRST_ROOM = 4096 };
 
-/* The length of the UTF-8 character at s (RFC 3629); 0 if there is none. */
-static size_t character(const unsigned char *s)
+size_t text_character(const char *text)
 {
+    const unsigned char *s = (const unsigned char *)text;
     if (*s < 0x80)
         return *s ? 1 : 0;
     size_t length = *s >= 0xc2 && *s < 0xe0 ? 2 : (*s & 0xf0) == 0xe0 ? 3 : *s >= 0xf0 && *s < 0xf5 ? 4 : 0;
@@ -31,7 +31,7 @@ static int line_without_text(const char *text, size_t bytes)
 {
     int line = 1;
     for (const char *s = text, *end = text + bytes; s < end;) {
-        size_t n = character((const unsigned char *)s);
+        size_t n = text_character(s);
         if (!n)
             return line;
         line += *s == '\n';

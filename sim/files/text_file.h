@@ -7,6 +7,8 @@
  * folder, is larger than `most` bytes, or has a byte that is 0 or not UTF-8; *line is then that byte's line,
  * otherwise 0. */
 char *text_file_read(const char *path, size_t most, const char **why, int *line);
+/* The bytes of the UTF-8 character at the beginning of a text (RFC 3629); 0: there is none. */
+size_t text_character(const char *text);
 /* The length of the longest beginning of a UTF-8 text that has `most` bytes at most, and no part of a
  * character. */
 size_t text_cut(const char *text, size_t most);

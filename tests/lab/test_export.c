@@ -345,6 +345,8 @@ static void text_is_quoted(void **state)
         assert_true(strlen(text) > 0);
         free(text);
     }
+    t.machine = (char *)(uintptr_t) "m\u00e4chine \xfc"; /* JSON is UTF-8 */
+    free(read_back(&t, EXPORT_JSON));
     drop(&t);
 }
 

@@ -1,37 +1,26 @@
 /* junit.c - see junit.h. */
 #include "lab/check/junit.h"
+#include "files/text_file.h"
 #include "kernel/xalloc.h"
 #include "lab/check/compare_print.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* The length of the UTF-8 sequence at s if XML 1.0 allows its character; otherwise 0. */
-static size_t xml_character(const unsigned char *s)
+/* The bytes of the UTF-8 character at s if XML 1.0 allows it; otherwise 0. */
+static size_t xml_character(const char *s)
 {
-    static const unsigned least[] = {0, 0, 0x80, 0x800, 0x10000};
-    if (*s < 0x80)
-        return *s >= 0x20 || *s == '\t' || *s == '\n' ? 1 : 0;
-    size_t length = *s >= 0xf0 && *s < 0xf5   ? 4
-                    : *s >= 0xe0 && *s < 0xf0 ? 3
-                    : *s >= 0xc2 && *s < 0xe0 ? 2
-                                              : 0;
-    unsigned code = length ? *s & (0xffu >> (length + 1)) : 0;
-    for (size_t i = 1; i < length; i++) {
-        if ((s[i] & 0xc0) != 0x80)
-            return 0;
-        code = code << 6 | (s[i] & 0x3f);
-    }
-    bool bad = code < least[length] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000) ||
-               code == 0xfffe || code == 0xffff;
-    return bad ? 0 : length;
+    size_t length = text_character(s);
+    bool control = (unsigned char)*s < ' ' && *s != '\t' && *s != '\n';
+    bool none = length == 3 && (!memcmp(s, "\xef\xbf\xbe", 3) || !memcmp(s, "\xef\xbf\xbf", 3));
+    return control || none ? 0 : length;
 }
 
 /* Writes text, for content and attributes. Bytes that XML does not allow become '?': programs may print
  * anything. */
 static void write_text(const char *text, FILE *out)
 {
-    for (const unsigned char *s = (const unsigned char *)text; *s;) {
+    for (const char *s = text; *s;) {
         static const char special[] = "&<>\"\n\t";
         static const char *const escaped[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#10;", "&#9;"};
         const char *found = strchr(special, *s);

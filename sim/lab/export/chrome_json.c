@@ -9,6 +9,7 @@
 #include "lab/export/chrome_json.h"
 #include <stdlib.h>
 #include <string.h>
+#include "files/text_file.h"
 #include "kernel/xalloc.h"
 #include "lab/export/decimal.h"
 
@@ -20,16 +21,20 @@ struct writing {
     bool args;  /* an argument of this event has */
 };
 
+/* Bytes that are not UTF-8 become '?': a source may be called so. */
 static void put_text(FILE *out, const char *text)
 {
     fputc('"', out);
-    for (const char *c = text; *c; c++) {
-        if (*c == '"' || *c == '\\')
-            fprintf(out, "\\%c", *c);
-        else if ((unsigned char)*c < ' ')
-            fprintf(out, "\\u%04x", *c);
+    for (size_t length; *text; text += length ? length : 1) {
+        length = text_character(text);
+        if (*text == '"' || *text == '\\')
+            fprintf(out, "\\%c", *text);
+        else if ((unsigned char)*text < ' ')
+            fprintf(out, "\\u%04x", *text);
+        else if (length)
+            fwrite(text, 1, length, out);
         else
-            fputc(*c, out);
+            fputc('?', out);
     }
     fputc('"', out);
 }
