@@ -134,3 +134,13 @@ if ! command -v chromium >/dev/null || ! command -v chromedriver >/dev/null || !
 fi
 PYTHONDONTWRITEBYTECODE=1 HOME=$work limited /usr/bin/python3 "$tests/../page/check_page.py" "$work/all.html" "$work/many.html" "$work/two.html" "$work" 2>browser.err
 [ $? = 0 ] || { echo "not ok the browser came to its end"; sed 's/^/# /' browser.err; }
+
+# A study of very many points, which differ in axes that the curves do not show.
+python3 -c '
+import json
+points = [{"nodes": 1 + i % 2, "a": i % 2, "b": i % 365, "c": i // 365, "failure": None, "time_s": 1.5} for i in range(133000)]
+print(json.dumps({"title": "T", "about": "", "program": "p", "points": points,
+                  "axes": {"nodes": [1, 2], "a": [0, 1], "b": list(range(365)), "c": list(range(366))}}))' >results.json
+page points.html results.json
+HOME=$work limited chromium --headless --no-sandbox --virtual-time-budget=60000 --dump-dom "file://$work/points.html" >dom 2>/dev/null
+check "very many points: there are curves" grep -q '<svg' dom

@@ -57,7 +57,8 @@ check "a part that was traced is the part of a whole trace" cmp selected <(sed 1
 # What a killed run leaves.
 "$BUILD/nxcc" -O2 -o endless "$tests/endless.c"
 "$BUILD/touchstone" run -q -n 2 --trace hit.trace --record hit.schedule endless >/dev/null 2>&1 &
-awaited compgen -G "hit.schedule.*" >/dev/null
+both_begun() { [ "$(ls -d hit.*.unfinished-* 2>/dev/null | wc -l)" = 2 ]; }
+awaited both_begun
 kill -9 $!
 wait $! 2>/dev/null
 check "a killed run leaves files that are not finished" test "$(ls -d hit.*.unfinished-* | wc -l)" = 2

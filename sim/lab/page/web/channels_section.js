@@ -86,8 +86,8 @@ function layOut(map) {
     else
         placeServices(map, channels, topology);
     dropIdle(map);
-    map.columns = Math.max(...map.places.filter(Boolean).map(p => p.x)) + 1;
-    map.rows = Math.max(...map.places.filter(Boolean).map(p => p.y)) + 1;
+    map.columns = d3.max(map.places, p => p?.x) + 1;
+    map.rows = d3.max(map.places, p => p?.y) + 1;
     map.links = channels.map((c, i) => ({...c, index: i}))
                     .filter(c => c.to !== null && map.places[c.from] && map.places[c.to] && isLink(map, c));
     map.ports = channels.map((c, i) => ({...c, index: i})).filter(c => c.to === null);
@@ -130,7 +130,7 @@ function shareColour(share) {
 /* The busiest channel's share of the whole run is the end of the scale, or 10 %, so that a network that
  * is hardly used looks like that; of a part of it, all of the time. */
 function channelScale(map) {
-    map.most = Math.max(0.1, ...map.trace.channels.map((c, i) => channelShare({...map, bin: -1}, i)));
+    map.most = d3.max([0.1, d3.max(map.trace.channels, (c, i) => channelShare({...map, bin: -1}, i))]);
     const ramp = element('span', {class: 'ramp'});
     ramp.style.background =
         `linear-gradient(to right, ${d3.range(9).map(i => shareColour(i / 8)).join(', ')})`;

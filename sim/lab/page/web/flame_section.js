@@ -84,7 +84,7 @@ function drawFlame(flame, width) {
         }
     };
     place(flame.top, 0, 0);
-    const depth = Math.max(...boxes.map(b => b.depth)) + 1;
+    const depth = d3.max(boxes, b => b.depth) + 1;
     const svg = svgElement('svg', {
         width,
         height: depth * height,

@@ -61,7 +61,7 @@ function timeColumns(whole, most, of) {
     ];
 }
 
-function mostOf(rows) { return Math.max(1, ...rows.map(r => Number(BigInt(r.time_ps)))); }
+function mostOf(rows) { return d3.max([1, d3.max(rows, r => Number(BigInt(r.time_ps)))]); }
 
 function classTable(rows, length) {
     const some = rows.filter(r => BigInt(r.time_ps) > 0n);

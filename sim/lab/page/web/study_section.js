@@ -84,7 +84,7 @@ function fullestHold(data, state) {
         const key = JSON.stringify(held.map(a => data.axes[a].indexOf(p[a])));
         counts.set(key, (counts.get(key) || 0) + 1);
     }
-    const most = Math.max(0, ...counts.values());
+    const most = d3.max(counts.values());
     const best = [...counts.keys()].find(key => counts.get(key) === most);
     return best ? Object.fromEntries(JSON.parse(best).map((index, i) => [held[i], index])) : {};
 }
