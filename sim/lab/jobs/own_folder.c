@@ -26,8 +26,8 @@ struct plan {
     const struct timespec *until;
 };
 
-/* What of the exception's path is in the folder of that name; "" if the path is the name itself, NULL if it is
- * another one. */
+/* What of the exception's path is in the folder of that name; "" if the path is the name itself, NULL if it
+ * is another one. */
 static const char *exception_in(const struct plan *p, const char *name)
 {
     size_t length = strlen(name);
