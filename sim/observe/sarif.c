@@ -66,19 +66,6 @@ static json_t *side_location(const struct race_report_side *s)
     return o;
 }
 
-static json_t *race_result(const struct race_report *r)
-{
-    char *head = race_print_head(r), *why = race_print_why(r), *text = xasprintf("%s: %s", head, why);
-    json_t *first = side_location(&r->side[0]), *second = side_location(&r->side[1]), *others = json_array();
-    if (second)
-        json_append(others, second);
-    json_t *o = result("race", "warning", text, first, others);
-    free(text);
-    free(why);
-    free(head);
-    return o;
-}
-
 static bool has_line(const json_t *list, const json_t *place)
 {
     size_t i;
@@ -87,6 +74,48 @@ static bool has_line(const json_t *list, const json_t *place)
                        other) if (json_equal(json_object_get(other, "physicalLocation"),
                                              json_object_get(place, "physicalLocation"))) return true;
     return false;
+}
+
+/* Takes over place; NULL, and a line that is there already, add nothing. */
+static void add_line(json_t *lines, json_t *place)
+{
+    if (!place || has_line(lines, place))
+        json_decref(place);
+    else
+        json_append(lines, place);
+}
+
+static json_t *take_first(json_t *lines)
+{
+    json_t *first = json_incref(json_array_get(lines, 0));
+    json_array_remove(lines, 0);
+    return first;
+}
+
+/* The races of the variable of race i, which is the first of them: what it is and why, then the others. */
+static json_t *race_result(const struct race_reports *t, size_t i)
+{
+    char *head = race_print_head(&t->list[i]), *why = race_print_why(&t->list[i]);
+    char *text = xasprintf("%s: %s", head, why);
+    json_t *lines = xchecked(json_array());
+    free(why);
+    free(head);
+    for (size_t k = i; k < t->count; k++) {
+        if (t->list[k].group != i)
+            continue;
+        if (k > i) {
+            head = race_print_head(&t->list[k]);
+            char *longer = xasprintf("%s. Also: %s", text, head + strcspn(head, ":") + 2);
+            free(head);
+            free(text);
+            text = longer;
+        }
+        add_line(lines, side_location(&t->list[k].side[0]));
+        add_line(lines, side_location(&t->list[k].side[1]));
+    }
+    json_t *first = take_first(lines), *o = result("race", "warning", text, first, lines);
+    free(text);
+    return o;
 }
 
 static bool gave_up(const struct waitfor_node *n)
@@ -114,18 +143,14 @@ static json_t *deadlock_result(const struct machine *m)
     for (uint32_t i = 0; i < m->waits->count; i++) {
         const struct waitfor_node *n = &m->waits->nodes[i];
         json_t *place = stands_at(n);
-        if (!place || has_line(lines, place))
-            json_decref(place);
-        else if (!cause && gave_up(n))
+        if (place && !cause && gave_up(n) && !has_line(lines, place))
             cause = place;
         else
-            json_append(lines, place);
+            add_line(lines, place);
     }
     const char *rule = cause ? "exit" : "deadlock";
-    if (!cause && json_array_size(lines)) {
-        cause = json_incref(json_array_get(lines, 0));
-        json_array_remove(lines, 0);
-    }
+    if (!cause)
+        cause = take_first(lines);
     return result(rule, "error", m->message ? m->message : "deadlock", cause, lines);
 }
 
@@ -152,7 +177,8 @@ static json_t *results(const struct machine *m, const struct race_reports *races
 {
     json_t *list = xchecked(json_array());
     for (size_t i = 0; i < races->count; i++)
-        json_append(list, race_result(&races->list[i]));
+        if (races->list[i].group == i)
+            json_append(list, race_result(races, i));
     if (m->waits)
         json_append(list, deadlock_result(m));
     else if (m->outcome == MACHINE_FAILED && m->message)
