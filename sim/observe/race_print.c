@@ -103,9 +103,10 @@ static char *why_accesses(const struct race_report *r)
                          "masktrap(1) around it: then what the handler has written is lost",
                          posted, line);
     else
-        text = xasprintf("%s; no masktrap(1) keeps handlers from running at %s; no message and no volatile "
-                         "variable that one of the two waits for orders them",
-                         posted, line);
+        text = xasprintf(
+            "%s; no masktrap(1) keeps handlers from running at %s; and neither of the two waits for "
+            "a message or a volatile variable that would put them in order",
+            posted, line);
     free(posted);
     free(line);
     return text;

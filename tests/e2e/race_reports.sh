@@ -28,7 +28,7 @@ race on done: handler reads and writes at jobs.c:13, main program reads and writ
                 posted by hrecv in serve (jobs.c:35)
   main program  serve (jobs.c:37), after TIME
                 called from main (jobs.c:57)
-  why           hrecv at jobs.c:35 has posted the handler, which may run at any time from then on; no masktrap(1) keeps handlers from running at jobs.c:37; no message and no volatile variable that one of the two waits for orders them.
+  why           hrecv at jobs.c:35 has posted the handler, which may run at any time from then on; no masktrap(1) keeps handlers from running at jobs.c:37; and neither of the two waits for a message or a volatile variable that would put them in order.
   found         COUNT times on node 0; the above on node 0, where the handler came later
 race on block[0]: main program writes at jobs.c:43 the buffer of isend at jobs.c:42
   main program  isend in serve (jobs.c:42), at TIME
