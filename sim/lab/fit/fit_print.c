@@ -65,6 +65,12 @@ static int decimals_of(const struct fit *f, const struct fit_result *r, size_t o
     return most > 0 && most < 1e5 ? 5 - (int)floor(log10(most)) : 0;
 }
 
+/* Those that the measurement was given with, but at most. */
+static int decimals_given(const struct fit_measurement *m, int most)
+{
+    return (int)fmin(most, fmax(0, -round(log10(2 * m->half))));
+}
+
 static void print_measurements(const struct fit *f, const struct fit_result *r, FILE *out)
 {
     fprintf(out, "\n%-40s %14s %14s %14s %9s\n", "measurement", "measured", "at the start", "fitted",
@@ -72,8 +78,8 @@ static void print_measurements(const struct fit *f, const struct fit_result *r, 
     for (size_t i = 0; i < f->measurements; i++) {
         const struct fit_measurement *m = &f->measurement[i];
         int decimals = decimals_of(f, r, i);
-        fprintf(out, "%-40s %14.9g %14.*f %14.*f ", m->name, m->value, decimals, r->before[i], decimals,
-                r->after[i]);
+        fprintf(out, "%-40s %14.*f %14.*f %14.*f ", m->name, decimals_given(m, decimals), m->value, decimals,
+                r->before[i], decimals, r->after[i]);
         if (m->value != 0)
             fprintf(out, "%+8.3f%%\n", 100 * (r->after[i] - m->value) / fabs(m->value));
         else
