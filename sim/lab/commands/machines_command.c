@@ -252,7 +252,7 @@ static bool run(const struct arguments *a, const char *dir, char **error)
 
 int cli_machines(int argc, char **argv)
 {
-    static const struct argp ARGP = {OPTIONS, parse, "\nshow MACHINE\ndiff MACHINE MACHINE", DOC, NULL,
+    static const struct argp ARGP = {OPTIONS, parse, "[list]\nshow MACHINE\ndiff MACHINE MACHINE", DOC, NULL,
                                      NULL,    NULL};
     struct arguments a = {0};
     struct cli_installation places;
