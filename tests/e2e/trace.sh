@@ -32,6 +32,12 @@ traced() { # NAME ARGS...
 traced "ring" -m ipsc860 -n 8 ring
 traced "the model program" -m delta -n 8 "$BUILD/app/model" -sphere 32 32 9 -group 4
 
+# The first program of traced() whose nodes end at different times is the model: its states are shares of all nodes' time.
+"$BUILD/touchstone" trace info --json states.json t.trace
+check "trace info: the share of the nodes' time in which they compute" grep -qx \
+    "computing *$(jq -r '.states_ps.computing / .nodes / .end_ps * 1000 | round | "\(. / 10 | floor).\(. % 10)"' states.json) % of the nodes' time" info
+check "trace info: and in which they have ended" grep -q '^ended  *[0-9.]* % of' info
+
 # A crash: what other nodes' programs have done ahead of it did not happen, nor what they learned in a call.
 calls() { # N ARGS...
     local n=$1

@@ -85,9 +85,9 @@ static void print_info(const struct trace *t, const vtime states[TRACE_STATES], 
     fprintf(f, "system intervals %" PRId32 "\n", t->system_count);
     fprintf(f, "messages         %" PRId32 ", with %" PRId32 " waits for channels\n", t->message_count,
             t->block_count);
-    for (int s = 0; s < TRACE_ENDED; s++)
+    for (int s = 0; s < TRACE_STATES; s++)
         all += states[s];
-    for (int s = 0; s < TRACE_ENDED && all; s++)
+    for (int s = 0; s < TRACE_STATES && all; s++)
         fprintf(f, "%-16s %5.1f %% of the nodes' time\n", trace_state_name((enum trace_state)s),
                 100 * (double)states[s] / (double)all);
     fprintf(f, "digest           %016" PRIx64 "\n", t->digest);
