@@ -12,6 +12,7 @@ for page in nxcc.1 nxf77.1 touchstone.1 touchstone-{run,machines,study,explore,p
 done
 
 check "whatis has the whole of what help says in two lines" grep -qx 'touchstone-trace-why .- say why the run took its time: critical path, causes of waits' build/man/touchstone-trace-why.1
+check "the text of a long option is beside it" grep -qxF 'Let programs use this file of this computer, or' <(grep -A1 -F 'host\-files' build/man/touchstone-run.1)
 check "groups of options are subsections" grep -q '^\.SS "Machine:"' build/man/touchstone-run.1
 
 calls=$(sed -n 's/^NX_[A-Z]*(\([a-z_0-9]*\).*/\1/p; s/^REDUCTION(\([a-z]*\).*/\1/p' "$tests"/../../nx_api/{contract/calls,common/reductions}.def |
