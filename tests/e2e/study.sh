@@ -65,6 +65,8 @@ study halves.cfg -o first
 check "a point that fails is told" ended_with 1
 check "by name, with its end" said '^\[[0-9]/8\] nodes 4, share 3, call_us 500: exit status 1'
 check "and the rest is there" grep -qE '^8 points, 2 failed' out
+study halves.cfg -o first
+check "a later command names it again" said '^failed before: nodes 4, share 3, call_us 500: exit status 1'
 check "the failure is in the results" test "$(grep -c '"failure": "exit' first/results.json)" = 2
 
 # A program with much output before its figures, one of which 64 bits do not hold, and a message that is not UTF-8; in a folder

@@ -2,6 +2,31 @@
 #include "lab/study/study_make.h"
 #include "lab/study/study_parts.h"
 
+#include <stdlib.h>
+
+/* A point that failed in an earlier session has no line of progress, and is named here. */
+static void tell_failed_before(const struct study *s)
+{
+    for (size_t i = 0; i < s->count; i++) {
+        enum journal_line_state state;
+        struct point p;
+        char *error = NULL;
+        if (!journal_find(s->journal, s->work[i].key, &state) || state != LINE_FAILED)
+            continue;
+        json_t *record = point_make(s->spec, s->work[i].number, &p, &error) == POINT_WANTED
+                             ? journal_record(s->journal, s->work[i].key)
+                             : NULL;
+        if (record) {
+            char *name = point_name(s->spec, &p);
+            fprintf(s->options.progress, "failed before: %s: %s\n", name,
+                    json_string_value(json_object_get(record, "failure")));
+            free(name);
+        }
+        json_decref(record);
+        free(error);
+    }
+}
+
 /* Prints where the results came from. A process of a session knows only its own runs. */
 static void tell(const struct study *s)
 {
@@ -21,6 +46,8 @@ static void tell(const struct study *s)
 enum study_end study_make(const struct study_options *options, int *signal, char **error)
 {
     struct study *s = study_open(options, error);
+    if (s)
+        tell_failed_before(s);
     enum study_end end = s ? study_run(s, error) : STUDY_ERROR;
     *signal = s ? s->counts.signal : 0;
     if (end == STUDY_STOPPED) {
