@@ -86,6 +86,8 @@ build first.c first
 explore of/first -n 6 --ordered --runs 100 --tests 20 --json first.json first
 outcomes=$(figure first.json "len(d['outcomes'])")
 check "many orders: many outcomes" test "$outcomes" -gt 12
+check "--tests: at most so many runs for the fewest delays of an outcome" test \
+    "$(figure first.json "max(o.get('tests', 0) for o in d['outcomes']) <= 20")" = True
 check "eight are shown" test "$(grep -cE '^  [0-9]+\. ' out)" = 8
 check "the rest is counted" grep -qx "  and $((outcomes - 9)) more outcomes: --json FILE has all" out
 

@@ -45,15 +45,16 @@ static bool test(void *arg, unsigned char *const kept[], size_t parts, bool show
     return able;
 }
 
-/* The fewest of all that show. True: they do; then it is in *l, unless *l has as few already. */
+/* The fewest of all that show, by as many tests as are left. True: they do; then it is in *l, unless *l has
+ * as few already. */
 static bool narrow(struct finding *f, const struct delays *all, size_t tests, struct least *l)
 {
     unsigned char *kept = xcalloc(all->count + 1, 1);
     bool shows = false;
     memset(kept, 1, all->count);
     f->all = all;
-    if (test(f, &kept, 1, &shows) && shows) {
-        bool is_least = delta_least(kept, all->count, tests, test, f);
+    if (l->tests < tests && test(f, &kept, 1, &shows) && shows) {
+        bool is_least = delta_least(kept, all->count, tests - l->tests, test, f);
         struct delays part = delays_subset(all, kept);
         if (!l->repeats || part.count < l->delays.count) {
             struct planned_run r = run_with(f, kept);
