@@ -52,6 +52,31 @@ check "--json -: JSON alone" jq -e '.format == "touchstone explore 1"' out
 explore of/clock -n 2 --runs 30 clock
 check "none is reduced" eval '! grep -q "delays that show it" out'
 
+cat >farm.c <<'END'
+#include <nx.h>
+#include <stdio.h>
+int main(void)
+{
+    long x, i;
+    if (mynode() == 0) {
+        for (i = 0; i < 9; i++) {
+            crecv(1, &x, sizeof x);
+            csend(2, &x, sizeof x, infonode(), 0);
+        }
+        printf("%.9f s\n", dclock());
+    } else
+        for (i = 0; i < 3; i++) {
+            csend(1, &i, sizeof i, 0, 0);
+            crecv(2, &x, sizeof x);
+        }
+    return 0;
+}
+END
+build farm.c farm
+explore of/farm -n 4 --runs 60 --json farm.json farm
+check "nor is any of a program whose order varies, too" test "$(figure farm.json "d['orders'] > 5, len(d['outcomes']) > 5, d['runs_made']")" = "True True 60"
+check "the hint comes there, too" said 'choose the lines that must be$'
+
 # --- the command that repeats a run lets it use the same files ---
 cat >seed.c <<'END'
 #include <nx.h>

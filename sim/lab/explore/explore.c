@@ -234,14 +234,15 @@ static bool explain(struct explore *x, size_t outcome, char **error)
     return write_schedule(x, e, error);
 }
 
-/* Many outcomes of one order are most often times that the program prints: the delays tell nothing then. A
- * single one may be a race of a handler. */
+/* Many outcomes of one order are most often times that the program prints: of no output do the delays tell
+ * anything then. A single one may be a race of a handler. */
 static bool is_worth(const struct explore *x, size_t outcome)
 {
     size_t alike = 0;
     for (size_t i = 1; i < x->search.outcome_count; i++)
         alike += x->search.outcomes[i].same_order;
-    return alike < 2 || !x->search.outcomes[outcome].same_order;
+    const char *end = json_string_value(json_object_get(x->search.outcomes[outcome].record, "end"));
+    return alike < 2 || strcmp(end, "ended") != 0;
 }
 
 static bool explain_all(struct explore *x, char **error)
