@@ -75,7 +75,7 @@ static error_t parse_one(int key, char *arg, struct argp_state *state)
 {
     struct arguments *a = state->input;
     if (key == ARGP_KEY_INIT) {
-        a->words = xcalloc((size_t)state->argc + 2, sizeof *a->words);
+        a->words = xcalloc(2 * (size_t)state->argc, sizeof *a->words); /* --host=HOST becomes two */
         state->child_inputs[0] = a;
     } else if (key == 't') {
         a->type = arg;

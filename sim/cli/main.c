@@ -111,6 +111,10 @@ int main(int argc, char **argv)
     cli_watch_output(argc > 1 ? argv[1] : "");
     signal(SIGXFSZ, SIG_IGN); /* then writing a file that may not grow fails, and is reported as an error */
     const char *engine = getenv("TOUCHSTONE_ENGINE"), *slash = argc > 0 ? strrchr(argv[0], '/') : NULL;
+    if (engine && *engine && !cli_is_engine(engine)) {
+        fprintf(stderr, "touchstone: TOUCHSTONE_ENGINE is 'fast' or 'reference', not '%s'\n", engine);
+        return CLI_EXIT_USAGE;
+    }
     if (engine && cli_is_other_engine(engine))
         return cli_change_engine(engine, argv);
     const char *called = slash ? slash + 1 : argc > 0 ? argv[0] : "";

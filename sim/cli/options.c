@@ -146,6 +146,14 @@ vtime cli_virtual_time(struct argp_state *state, const char *option, const char 
     return t;
 }
 
+vtime cli_later_time(struct argp_state *state, const char *option, const char *text)
+{
+    vtime t = cli_virtual_time(state, option, text);
+    if (!t)
+        argp_error(state, "%s takes a virtual time later than 0", option);
+    return t;
+}
+
 double cli_seconds(struct argp_state *state, const char *option, const char *text)
 {
     double value;

@@ -12,6 +12,7 @@
 #include "kernel/vtime.h"
 
 enum {
+    CLI_EXIT_USAGE = 64,  /* a command's exit status: wrong arguments, as argp's */
     CLI_EXIT_INPUT = 65,  /* a command's exit status: its input cannot be used */
     CLI_EXIT_OUTPUT = 74, /* standard output or a result cannot be written */
 
@@ -49,6 +50,7 @@ uint32_t cli_whole(struct argp_state *state, const char *option, const char *wha
                    const char *text);
 /* A virtual time such as 1.5s, 12ms, 3us, 40ns or 1234ps; a number alone is in seconds. */
 vtime cli_virtual_time(struct argp_state *state, const char *option, const char *text);
+vtime cli_later_time(struct argp_state *state, const char *option, const char *text); /* than 0 */
 double cli_seconds(struct argp_state *state, const char *option, const char *text);
 
 /* How many runs at a time: as many as asked for; 0: as many as this computer has processors. */

@@ -54,9 +54,14 @@ int cli_hand_to_lab(char **argv)
     return cli_execute(LAB, argv);
 }
 
+bool cli_is_engine(const char *engine)
+{
+    return !strcmp(engine, "fast") || !strcmp(engine, "reference");
+}
+
 bool cli_is_other_engine(const char *engine)
 {
-    return strcmp(engine, ENGINE_NAME) && (!strcmp(engine, "fast") || !strcmp(engine, "reference"));
+    return strcmp(engine, ENGINE_NAME) && cli_is_engine(engine);
 }
 
 int cli_change_engine(const char *engine, char **argv)

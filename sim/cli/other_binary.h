@@ -14,6 +14,7 @@ int cli_execute(const char *binary, char **argv);
 /* Has touchstone-lab run the command argv[1], and tells it by argv[0] which binary simulates. */
 int cli_hand_to_lab(char **argv);
 
+bool cli_is_engine(const char *engine); /* fast or reference */
 /* Is engine (lp/engine.h) one that this binary does not have? Executes the binary that has it, with main's
  * argv; returns as cli_execute(). */
 bool cli_is_other_engine(const char *engine);

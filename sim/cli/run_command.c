@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include "cli/commands.h"
 #include "cli/gdb_start.h"
@@ -158,6 +159,19 @@ static int written_files(const struct arguments *a, bool only_dash)
     return count;
 }
 
+/* A path that two of the results have, so that one of them would be lost; NULL: there is none. */
+static const char *written_twice(const struct arguments *a)
+{
+    struct written w = written_by(a);
+    struct stat st;
+    for (size_t i = 0; i < MOST_WRITTEN; i++)
+        for (size_t k = 0; w.files[i] && k < i; k++)
+            if (w.files[k] && !strcmp(w.files[i], w.files[k]) &&
+                (stat(w.files[i], &st) != 0 || S_ISREG(st.st_mode)))
+                return w.files[i];
+    return NULL;
+}
+
 /* A run that takes an hour should not end with a result that has no folder. */
 static bool results_possible(const struct arguments *a, char **error)
 {
@@ -181,7 +195,9 @@ static void check(struct argp_state *state, struct arguments *a)
 {
     if (written_files(a, true) > 1)
         argp_error(state, "standard output ('-') has room for one file");
-    if (a->engine && strcmp(a->engine, "fast") && strcmp(a->engine, "reference"))
+    else if (written_twice(a))
+        argp_error(state, "%s has room for one result, and two are to be written there", written_twice(a));
+    if (a->engine && !cli_is_engine(a->engine))
         argp_error(state, "--engine takes 'fast' or 'reference', not '%s'", a->engine);
     if (a->what.host && a->profile)
         argp_error(state, "--profile is for programs that are on all nodes from the start, not with --host");
@@ -250,7 +266,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     else if (key == TRACE_FROM)
         a->trace.from = cli_virtual_time(state, "--trace-from", arg);
     else if (key == TRACE_TO)
-        a->trace.to = cli_virtual_time(state, "--trace-to", arg);
+        a->trace.to = cli_later_time(state, "--trace-to", arg);
     else if (key == TRACE_NODES)
         cli_node_list(state, "--trace-nodes", arg, &a->traced_nodes, &a->trace.node_count);
     else if (key == GDB)
@@ -334,6 +350,12 @@ static bool print_mpi_checks(const struct machine *m)
     return mpi_checks_print(m->sys.mpi_checks, "touchstone run: ", stderr);
 }
 
+/* Reports the error of writing a result, if there is one. One that cannot be written keeps no other back. */
+static bool written(char *error)
+{
+    return !error || (output_error(error), false);
+}
+
 static int report(const struct machine *m, const struct race_reports *races, const struct arguments *a)
 {
     int status = status_of(m, races);
@@ -348,19 +370,18 @@ static int report(const struct machine *m, const struct race_reports *races, con
         found = print_mpi_checks(m);
     if (found && !status)
         status = EXIT_FINDINGS;
-    char *error = a->json ? summary_json(m, races, a->json) : NULL;
-    if (!error && a->deadlock)
-        error = write_deadlock(m->waits, a->deadlock);
-    if (!error && a->races)
-        error = race_json_write(races, a->races);
-    if (!error && a->sarif)
-        error = sarif_write(m, races, CLI_VERSION, a->sarif);
-    if (!error && a->profile)
-        error = report_profile(m, a);
-    int result = lost ? output_error(lost) : 0;
-    if (error)
-        result = output_error(error);
-    return result ? result : status;
+    bool complete = written(lost);
+    if (a->json)
+        complete &= written(summary_json(m, races, a->json));
+    if (a->deadlock)
+        complete &= written(write_deadlock(m->waits, a->deadlock));
+    if (a->races)
+        complete &= written(race_json_write(races, a->races));
+    if (a->sarif)
+        complete &= written(sarif_write(m, races, CLI_VERSION, a->sarif));
+    if (a->profile)
+        complete &= written(report_profile(m, a));
+    return complete ? status : CLI_EXIT_OUTPUT;
 }
 
 static int report_with_races(const struct machine *m, const struct race_suppressions *s,
@@ -456,8 +477,13 @@ static void warn_of_other_program(const struct machine *m, const struct plan *pl
                         plan->path, node_image_path(m->image));
 }
 
-/* Runs the machine and reports; returns the exit status, in *ended_by the signal that ended the run, or 0. */
-static int run_machine(const struct arguments *a, const struct machine_options *o, int *ended_by)
+struct ending {
+    bool has_run;
+    int signal; /* that ended the run; 0: none */
+};
+
+/* Runs the machine and reports; returns the exit status. */
+static int run_machine(const struct arguments *a, const struct machine_options *o, struct ending *end)
 {
     char *error = NULL;
     int status;
@@ -477,12 +503,13 @@ static int run_machine(const struct arguments *a, const struct machine_options *
         warn_of_other_program(m, a->plan);
         refuse_system_calls(a);
         machine_run(m);
+        end->has_run = true;
         status = report_with_races(m, suppressed, a);
         if (trace.recorder && !run_trace_end(&trace, m, &error))
             status = output_error(error);
         debug_stop_end(&m->sys, m->outcome == MACHINE_DEADLOCK);
     }
-    *ended_by = m->signal;
+    end->signal = m->signal;
     machine_free(m);
     race_suppress_free(suppressed);
     return status;
@@ -509,16 +536,18 @@ static void outlive_reader(const struct arguments *a)
 static int run_with_files(const struct arguments *a, struct machine_options *o)
 {
     struct run_files files;
-    int ended_by = 0;
+    struct ending end = {0};
     char *error = NULL;
     if (!results_possible(a, &error) || (error = run_files_begin(&files, a->history, a->timing.record)))
         return output_error(error);
     o->history = files.history.out, o->schedule = files.schedule.out;
-    int status = run_machine(a, o, &ended_by);
-    if ((error = run_files_end(&files)))
+    int status = run_machine(a, o, &end);
+    if (!end.has_run)
+        run_files_drop(&files);
+    else if ((error = run_files_end(&files)))
         status = output_error(error);
-    if (ended_by)
-        raise(ended_by); /* the parent process is to know */
+    if (end.signal)
+        raise(end.signal); /* the parent process is to know */
     return status;
 }
 

@@ -20,6 +20,12 @@ static char *end(struct atomic_file *f)
     return error;
 }
 
+static void drop(struct atomic_file *f)
+{
+    if (f->out)
+        atomic_file_drop(f);
+}
+
 char *run_files_begin(struct run_files *f, const char *history, const char *schedule)
 {
     *f = (struct run_files){0};
@@ -27,8 +33,8 @@ char *run_files_begin(struct run_files *f, const char *history, const char *sche
     if (error)
         return error;
     error = begin(&f->schedule, schedule);
-    if (error && f->history.out)
-        atomic_file_drop(&f->history);
+    if (error)
+        drop(&f->history);
     return error;
 }
 
@@ -39,4 +45,10 @@ char *run_files_end(struct run_files *f)
         return other;
     free(other);
     return error;
+}
+
+void run_files_drop(struct run_files *f)
+{
+    drop(&f->history);
+    drop(&f->schedule);
 }

@@ -11,4 +11,6 @@ struct run_files {
 char *run_files_begin(struct run_files *f, const char *history, const char *schedule);
 /* Closes them. Returns NULL, or an error, malloc'd. */
 char *run_files_end(struct run_files *f);
+/* Gives them up: what had their names before stays. */
+void run_files_drop(struct run_files *f);
 #endif

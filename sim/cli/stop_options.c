@@ -6,6 +6,7 @@ void cli_take_stop(struct argp_state *state, struct debug_stop_options *stop, co
 {
     stop->wanted = true;
     stop->host = strcmp(node, "host") == 0;
+    stop->node = 0;
     if (!stop->host && strcmp(node, "0") && !cli_is_whole(node, UINT32_MAX, &stop->node))
         argp_error(state, "--gdb takes a node's number, from 0 up, or 'host', not '%s'", node);
 }

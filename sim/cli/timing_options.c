@@ -29,13 +29,6 @@ static void take_timing(struct argp_state *state, struct timing_arguments *a, co
     free(wrong);
 }
 
-static void take_until(struct argp_state *state, struct timing_arguments *a, const char *text)
-{
-    a->until = cli_virtual_time(state, "--until", text);
-    if (!a->until)
-        argp_error(state, "--until takes a virtual time later than 0");
-}
-
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     struct timing_arguments *a = state->input;
@@ -46,7 +39,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     else if (key == RECORD)
         a->record = arg;
     else if (key == UNTIL)
-        take_until(state, a, arg);
+        a->until = cli_later_time(state, "--until", arg);
     else if (key != ARGP_KEY_END)
         return ARGP_ERR_UNKNOWN;
     else if (a->drawn && a->replay)

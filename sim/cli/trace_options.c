@@ -48,7 +48,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     if (key == FROM) {
         s->from = cli_virtual_time(state, "--from", arg);
     } else if (key == TO) {
-        s->to = cli_virtual_time(state, "--to", arg);
+        s->to = cli_later_time(state, "--to", arg);
     } else if (key == NODES) {
         cli_node_list(state, "--nodes", arg, &nodes, &s->node_count);
         s->nodes = nodes;

@@ -164,10 +164,16 @@ static bool make_nodes(struct machine *m, char **error)
     return true;
 }
 
+/* VT_NEVER: there is no limit, or one that no virtual time reaches. */
+static vtime time_of(double seconds)
+{
+    return seconds > 0 && seconds < vt_seconds(VT_NEVER) ? (vtime)(seconds * (double)VT_SECOND) : VT_NEVER;
+}
+
 /* The last moment that may be committed. */
 static vtime limit_of(const struct machine_options *o)
 {
-    vtime limit = o->max_virtual_s > 0 ? (vtime)(o->max_virtual_s * (double)VT_SECOND) : VT_NEVER;
+    vtime limit = time_of(o->max_virtual_s);
     return o->until ? vt_min(limit, o->until) : limit;
 }
 
@@ -182,7 +188,7 @@ struct machine *machine_new(const struct machine_options *options, char **error)
     s->count = s->running = nodes_of(options);
     s->schedule.max_time = limit_of(options);
     s->most_unreceived = flood_limit(options->max_unreceived, options->cfg->memory_bytes);
-    s->schedule.longest_slice = options->slice_s > 0 ? (vtime)(options->slice_s * (double)VT_SECOND) : 0;
+    s->schedule.longest_slice = options->slice_s > 0 ? time_of(options->slice_s) : 0;
     s->history = options->history;
     s->guards = NODE_GUARDS_ALL;
     s->isolate = options->isolate;

@@ -88,6 +88,20 @@ wrong "one argument too many" 64 "'two.cfg' is one argument too many" study one.
 wrong "an option without its value" 64 "option '--json' requires an argument" run --json
 wrong "no baseline" 2 'which baseline' check
 wrong "an engine that is none" 64 "not 'warp'" run --engine warp ring
+TOUCHSTONE_ENGINE=warp wrong "an engine that is none, in the environment" 64 "TOUCHSTONE_ENGINE .*not 'warp'" run ring
+wrong "a trace to time 0" 64 "--trace-to takes a virtual time later than 0" run --trace t --trace-to 0 ring
+wrong "two results in one file" 64 "f.json has room for one result" run --json f.json --races f.json ring
+run -q --json /dev/null --deadlock /dev/null ring
+check "two results that nobody wants" ended_with 0
+run -q --max-virtual-time inf -n 2 ring
+check "a limit that no time reaches is none" grep -q . out
+
+# A run that cannot begin leaves the results of the one before; one that cannot write a result writes the others.
+echo before >history
+wrong "no such file of suppressions" 65 'no_such_file' run -q --history history --suppress no_such_file ring
+check "the history of the run before stays" grep -q before history
+wrong "a full device" 74 '/dev/full cannot be written' run -q --json /dev/full --deadlock after_full ring
+check "the other result is written" grep -q null after_full
 
 # Options end at the program's name: what follows is the program's.
 cat >words.c <<'END'

@@ -72,6 +72,10 @@ check "load of nothing: exit status 64" ended_with 64
 ask load -c default --host farm farm_node 8
 ask waitcube -c default
 check "a host program and its nodes" grep -qx '50 pieces, sum 12497500, 50 told of' out
+ask load -c default $(printf -- '--host=none %.0s' {1..40}) --host=farm farm_node 8
+check "the last of many hosts: exit status 0" ended_with 0
+ask waitcube -c default
+check "the last of many hosts runs" grep -qx '50 pieces, sum 12497500, 50 told of' out
 ask load -c default -r -q -r --max-virtual-time=0.5 endless
 ask waitcube -c default
 check "words for touchstone run" said 'virtual time limit of 500 ms'
