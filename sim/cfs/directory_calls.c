@@ -1,10 +1,12 @@
 /* directory_calls.c - see directory_calls.h. Each call sends a request to the directory, waits for its turn
  * there, and gets an answer. */
 #include <errno.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include "cfs/cfs_state.h"
 #include "cfs/directory_calls.h"
+#include "guest/libc/host_errno.h"
 #include "kernel/xalloc.h"
 #include "lp/engine.h"
 #include "os/first_failure.h"
@@ -99,7 +101,14 @@ static bool is_answered(struct node *n, void *arg)
     return q->answered && q->complete <= node_now(n);
 }
 
-/* Returns 0, or -1 with errno set. */
+/* 0, or -1 with errno, which a call that succeeds leaves as it was. */
+static int answer(int error)
+{
+    if (error)
+        node_set_errno(error);
+    return error ? -1 : 0;
+}
+
 static int ask(struct cfs *c, struct node *n, struct question *q, vtime takes)
 {
     q->cfs = c;
@@ -114,8 +123,7 @@ static int ask(struct cfs *c, struct node *n, struct question *q, vtime takes)
     q->names = kept->names;
     kept->names = NULL; /* the caller's now */
     drop(kept);
-    errno = q->error;
-    return q->error ? -1 : 0;
+    return answer(q->error);
 }
 
 /* --- names --- */
@@ -158,14 +166,17 @@ int cfs_rename(void *ctx, struct node *n, const char *from, const char *to)
     return ask(c, n, &(struct question){.work = do_rename, .path = from, .to = to}, c->cfg->open_ps);
 }
 
-/* Reduces a file's state to what the simulated machine knows: not when and where this computer keeps the
- * file. */
+/* Reduces a file's state to what the simulated machine knows: not when, where and how this computer keeps the
+ * file, nor what its user's umask leaves to others. */
 static int own_stat(const struct cfs *c, struct stat *st, int error)
 {
     if (error)
         return error;
-    *st = (struct stat){
-        .st_ino = st->st_ino, .st_mode = st->st_mode, .st_nlink = st->st_nlink, .st_size = st->st_size};
+    bool folder = S_ISDIR(st->st_mode);
+    *st = (struct stat){.st_ino = st->st_ino,
+                        .st_mode = st->st_mode & (S_IFMT | S_IRWXU),
+                        .st_nlink = folder ? 2 : st->st_nlink,
+                        .st_size = folder ? 0 : st->st_size};
     st->st_dev = (dev_t)-1; /* no device of this computer */
     st->st_blksize = (blksize_t)c->cfg->block_bytes;
     st->st_blocks = (st->st_size + 511) / 512;
@@ -216,6 +227,11 @@ int cfs_fstat(struct node_file *base, struct stat *st)
     return r;
 }
 
+static bool may_write(const struct cfs_file *f)
+{
+    return (f->flags & O_ACCMODE) != O_RDONLY;
+}
+
 static int do_grow(struct question *q)
 {
     int error = store_grow(q->file->store, q->number);
@@ -226,6 +242,8 @@ static int do_grow(struct question *q)
 int64_t cfs_grow(struct cfs_file *f, uint64_t size)
 {
     struct question q = {.work = do_grow, .file = f, .number = size};
+    if (!may_write(f))
+        return answer(EBADF);
     return ask(f->cfs, f->base.node, &q, f->cfs->cfg->pointer_ps) ? -1 : (int64_t)q.number;
 }
 
@@ -237,6 +255,8 @@ static int do_cut(struct question *q)
 int cfs_truncate(struct node_file *base, int64_t size)
 {
     struct cfs_file *f = (struct cfs_file *)base;
+    if (!may_write(f))
+        return answer(EINVAL);
     struct question q = {.work = do_cut, .file = f, .number = (uint64_t)size};
     return ask(f->cfs, base->node, &q, f->cfs->cfg->pointer_ps);
 }
@@ -299,8 +319,12 @@ static int do_seek(struct question *q)
     int64_t from = q->flags == SEEK_SET   ? 0
                    : q->flags == SEEK_CUR ? (int64_t)pointer(q->file)
                                           : (int64_t)q->file->store->size;
-    int64_t at = from + (int64_t)q->number;
-    if (at < 0 || q->flags < SEEK_SET || q->flags > SEEK_END)
+    int64_t at;
+    if (q->flags < SEEK_SET || q->flags > SEEK_END)
+        return EINVAL;
+    if (__builtin_add_overflow(from, (int64_t)q->number, &at))
+        return EOVERFLOW;
+    if (at < 0)
         return EINVAL;
     q->number = (uint64_t)at;
     return set_pointer(q->file, q->number);
@@ -315,8 +339,7 @@ int64_t cfs_seek(struct cfs_file *f, int64_t offset, int whence)
         return ask(f->cfs, n, &q, f->cfs->cfg->pointer_ps) ? -1 : (int64_t)q.number;
     node_spend(n, n->sys->cfg->call_ps);
     node_order(n);
-    errno = do_seek(&q);
-    return errno ? -1 : (int64_t)q.number;
+    return answer(do_seek(&q)) ? -1 : (int64_t)q.number;
 }
 
 int cfs_mode(const struct cfs_file *f)

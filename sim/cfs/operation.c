@@ -81,7 +81,8 @@ static struct cfs_op *op_new(struct cfs_file *f, bool write, const struct iovec 
     op->part_count = count;
     op->parts = xmalloc((size_t)count * sizeof *parts + 1);
     op->bytes = sum_of(parts, count);
-    op->data = xmalloc(op->bytes + 1);
+    if (write)
+        op->data = xmalloc(op->bytes + 1);
     memcpy(op->parts, parts, (size_t)count * sizeof *parts);
     char *to = op->data;
     for (int i = 0; write && i < count; to += parts[i++].iov_len)
@@ -119,7 +120,7 @@ void cfs_told(struct cfs_op *op, uint64_t bytes, const char *data, vtime at)
 {
     op->bytes = bytes;
     if (!op->write)
-        memcpy(op->data, data, bytes);
+        op->data = memcpy(xmalloc(bytes + 1), data, bytes);
     finish(op, at);
 }
 
@@ -245,9 +246,12 @@ void cfs_answer(void *ctx, struct io_request *r, vtime now)
     post_send(c->sys->schedule.protocol, address_of(p), p->op->node->id, POST_EAGER, bytes, &p->parcel, at);
 }
 
-/* The op's range is known: makes the pieces. */
+/* The op's range is known: makes the pieces, and room for what a read brings, which may ask for far more than
+ * there is. */
 static void cut(struct cfs_op *op)
 {
+    if (!op->write)
+        op->data = xmalloc(op->bytes + 1);
     const struct store_file *f = op->store;
     uint32_t block = (uint32_t)op->cfs->cfg->block_bytes;
     uint64_t first = op->at / block, end = (op->at + op->bytes + block - 1) / block, done = 0;
@@ -438,11 +442,12 @@ struct cfs_op *cfs_start(struct cfs_file *f, bool write, int64_t at, const struc
 {
     struct node *n = f->base.node;
     int access = f->flags & O_ACCMODE;
-    node_spend(n, n->sys->cfg->call_ps + f->cfs->cfg->client_ps +
-                      (write ? sum_of(parts, count) * f->cfs->cfg->client_ps_per_byte : 0));
+    uint64_t written = write ? sum_of(parts, count) : 0;
+    node_spend(n, n->sys->cfg->call_ps + f->cfs->cfg->client_ps + written * f->cfs->cfg->client_ps_per_byte);
     node_order(n);
-    if (access != O_RDWR && access != (write ? O_WRONLY : O_RDONLY)) {
-        errno = EBADF;
+    bool may = access == O_RDWR || access == (write ? O_WRONLY : O_RDONLY);
+    if (!may || written > INT64_MAX - (at < 0 ? f->at : (uint64_t)at)) {
+        errno = may ? EFBIG : EBADF;
         return NULL;
     }
     struct cfs_op *op = op_new(f, write, parts, count);

@@ -13,7 +13,7 @@ struct node;
 
 /* Starts a read or write at the file's pointer (at: -1), which advances, or at an offset of the file, which
  * leaves pointers alone. Copies the data to be written. The caller ends the operation with cfs_end(). NULL:
- * EBADF. */
+ * EBADF or EFBIG. */
 struct cfs_op *cfs_start(struct cfs_file *f, bool write, int64_t at, const struct iovec *parts, int count);
 bool cfs_done(struct node *n, const struct cfs_op *op);
 void cfs_wait(struct node *n, struct cfs_op *op);

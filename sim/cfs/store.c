@@ -133,6 +133,12 @@ static struct store_file *find(struct store *s, const char *name)
 
 /* --- opening --- */
 
+/* Why a file could not be opened for writing: may it still be read? */
+static bool is_only_read(int why)
+{
+    return why == EACCES || why == EROFS || why == EPERM;
+}
+
 /* Opens the host's file of a file that has no users. */
 static int open_host(struct store *s, struct store_file *f, int flags, mode_t permissions)
 {
@@ -146,7 +152,7 @@ static int open_host(struct store *s, struct store_file *f, int flags, mode_t pe
     int how = (flags & (O_CREAT | O_EXCL)) | O_CLOEXEC;
     f->host = fence_open(s->fence, path, O_RDWR | how, permissions);
     f->writable = f->host >= 0;
-    if (f->host == -1 && errno == EACCES)
+    if (f->host == -1 && is_only_read(errno))
         f->host = fence_open(s->fence, path, O_RDONLY | how, permissions);
     if (f->host < 0)
         return error_of(f->host);
@@ -240,6 +246,26 @@ int store_unlink(struct store *s, const char *path)
     return 0;
 }
 
+/* Is path this name, or below a folder of this name? */
+static bool is_or_is_below(const char *path, const char *name)
+{
+    size_t n = strlen(name);
+    return strncmp(path, name, n) == 0 && (path[n] == 0 || path[n] == '/');
+}
+
+/* What had the name `to` is gone; the file `from`, or the files in that folder, have new names. */
+static void rename_files(struct store *s, const char *from, const char *to)
+{
+    for (struct store_file *f = s->files; f; f = f->next)
+        f->gone |= is_or_is_below(f->path, to);
+    for (struct store_file *f = s->files; f; f = f->next)
+        if (!f->gone && is_or_is_below(f->path, from)) {
+            char *path = xasprintf("%s%s", to, f->path + strlen(from));
+            free(f->path);
+            f->path = path;
+        }
+}
+
 int store_rename(struct store *s, const char *from, const char *to)
 {
     char name[PATH_MAX], new_name[PATH_MAX], host[PATH_MAX], new_host[PATH_MAX];
@@ -252,16 +278,9 @@ int store_rename(struct store *s, const char *from, const char *to)
         return error;
     make_folders(s, new_host);
     error = error_of(fence_rename(s->fence, host, new_host));
-    if (error)
-        return error;
-    struct store_file *f = find(s, name), *old = find(s, new_name);
-    if (old && old != f)
-        old->gone = true;
-    if (f) {
-        free(f->path);
-        f->path = xstrdup(new_name);
-    }
-    return 0;
+    if (!error && strcmp(name, new_name) != 0)
+        rename_files(s, name, new_name);
+    return error;
 }
 
 /* A number that tells a file from others, the same on any computer: its name's hash (FNV-1a). */

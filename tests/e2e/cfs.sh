@@ -89,3 +89,25 @@ done
 
 run --help
 check "--help tells of --cfs" grep -q -- '--cfs=DIR' out
+
+# What a program learns of a file does not depend on who runs it, and where.
+cat >looks.c <<'END'
+#include <fcntl.h>
+#include <stdio.h>
+#include <sys/stat.h>
+int main(void)
+{
+    struct stat file, folder;
+    open("/cfs/looks", O_RDWR | O_CREAT, 0666);
+    stat("/cfs/looks", &file), stat("/cfs", &folder);
+    printf("%o, %o %d %d\n", (int)file.st_mode, (int)folder.st_mode, (int)folder.st_nlink, (int)folder.st_size);
+}
+END
+"$BUILD/nxcc" -o looks looks.c 2>compile.err
+mkdir shared private
+run -q --cfs shared looks && mv out expected
+check "a file and a folder, looked at" grep -qx '100600, 40700 2 0' expected
+(umask 077 && run -q --cfs private looks)
+check "by a user with another umask" cmp out expected
+run -q looks
+check "in a temporary folder" cmp out expected

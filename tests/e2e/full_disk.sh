@@ -77,3 +77,13 @@ check "an exploration: it ends, and says why" said 'full/found/.* cannot be writ
 rm full/ballast
 explore
 check "an exploration: when there is room, it is completed" diff alone.out <(report out)
+
+# --- a disk that nobody may write to ---
+empty
+compile cfs_keep
+run -q -m ipsc860 -n 2 --cfs full/cfs cfs_keep write
+check "files on a disk" ended_with 0
+mount -o remount,ro full
+run -q -m ipsc860 -n 2 --cfs full/cfs cfs_keep read
+check "which may only be read now: they are read" cmp -s out full/cfs/kept/lines
+mount -o remount,rw full

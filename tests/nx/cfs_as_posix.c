@@ -1,0 +1,89 @@
+/* What POSIX says of files holds for those of the machine, too: what errno says and when, who may change a
+ * file, and what a folder's new name is to the files in it.
+ * simulator only: a cluster's files are its computers'
+ * compile: -D_GNU_SOURCE
+ * run: -m ipsc860 -n 3
+ * run: -m paragon -n 1
+ */
+#include <errno.h>
+#include <fcntl.h>
+#include <stdint.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "rule.h"
+
+static char name[60], folder[60], inside[80], renamed[60], inside_renamed[80];
+
+static int fails(long answer, int error)
+{
+    return answer == -1 && errno == error;
+}
+
+static int errno_stays(void)
+{
+    struct stat st;
+    char text[8];
+    errno = 77;
+    int fd = open(name, O_RDWR | O_CREAT | O_TRUNC, 0600);
+    int good = fd >= 0 && write(fd, "abc", 3) == 3 && lseek(fd, 0, SEEK_SET) == 0 && read(fd, text, 8) == 3;
+    good = good && lseek(fd, 0, SEEK_END) == 3 && fstat(fd, &st) == 0 && stat(name, &st) == 0;
+    good = good && ftruncate(fd, 2) == 0 && rename(name, inside) == 0 && rename(inside, name) == 0;
+    good = good && close(fd) == 0 && errno == 77;
+    int only = open(name, O_WRONLY);
+    return good && fails(pread(only, text, 1, 0), EBADF) && close(only) == 0;
+}
+
+static int only_for_reading(void)
+{
+    struct stat st;
+    int fd = open(name, O_RDONLY);
+    int good = fails(ftruncate(fd, 0), EINVAL) && fails(_lsize(fd, 100, SIZE_SET), EBADF);
+    return good && fstat(fd, &st) == 0 && st.st_size == 2 && close(fd) == 0;
+}
+
+static int far_places(void)
+{
+    int fd = open(name, O_RDWR);
+    int good = lseek64(fd, INT64_MAX, SEEK_SET) == INT64_MAX && fails(write(fd, "abc", 3), EFBIG);
+    good =
+        good && fails(lseek64(fd, INT64_MAX, SEEK_CUR), EOVERFLOW) && fails(lseek(fd, -1, SEEK_SET), EINVAL);
+    return good && fails(pwrite64(fd, "abc", 3, INT64_MAX), EFBIG) && close(fd) == 0;
+}
+
+static int long_reads(void)
+{
+    char text[8];
+    volatile size_t most = UINT32_MAX;
+    int fd = open(name, O_RDONLY);
+    return read(fd, text, most) == 2 && cread(fd, text, most) == 0 && close(fd) == 0;
+}
+
+static int folders(void)
+{
+    struct stat st;
+    char text[8] = "";
+    int fd = open(inside, O_RDWR | O_CREAT, 0600), other;
+    int good = fd >= 0 && rename(folder, renamed) == 0 && fails(open(inside, O_RDONLY), ENOENT);
+    good = good && (other = open(inside_renamed, O_RDWR)) >= 0 && write(fd, "abc", 3) == 3;
+    good = good && lseek(other, 0, SEEK_END) == 3 && lseek(other, 0, SEEK_SET) == 0;
+    good = good && read(other, text, 8) == 3 && !strcmp(text, "abc") && close(fd) == 0 && close(other) == 0;
+    good = good && stat(renamed, &st) == 0 && S_ISDIR(st.st_mode) && st.st_nlink == 2 && st.st_size == 0;
+    return good && unlink(inside_renamed) == 0 && remove(renamed) == 0;
+}
+
+int main(void)
+{
+    long me = mynode();
+    snprintf(name, sizeof name, "/cfs/file%ld", me);
+    snprintf(folder, sizeof folder, "/cfs/folder%ld", me);
+    snprintf(inside, sizeof inside, "%s/file", folder);
+    snprintf(renamed, sizeof renamed, "/cfs/renamed%ld", me);
+    snprintf(inside_renamed, sizeof inside_renamed, "%s/file", renamed);
+    rule("errno stays as it was unless there is an error", errno_stays());
+    rule("a file open for reading is not changed", only_for_reading());
+    rule("places that no file has", far_places());
+    rule("a read that asks for more than there is", long_reads());
+    rule("a folder's new name", folders());
+    return unlink(name);
+}
