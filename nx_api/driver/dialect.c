@@ -263,6 +263,7 @@ int dialect_run(const char **gcc, const struct arguments *user)
     static const char *const no_structures[] = {"-fno-dec-structure", NULL};
     const struct files nothing = {.count = 0};
     FILE *said;
+    setenv("LANGUAGE", "en", true); /* the compiler's messages are read */
     int status = run_once(gcc, &said);
     if (status && has_said(said, misses_operator)) {
         fclose(said);

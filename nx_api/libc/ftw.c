@@ -1,8 +1,9 @@
-/* ftw.c - the walk through a folder and those in it, in alphabetical order. */
+/* ftw.c - the walk through a folder and those in it, in alphabetical order, and in none twice. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <dirent.h>
 #include <ftw.h>
+#include <search.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -14,7 +15,35 @@ struct walk {
     int (*tells)(const char *, const struct stat *, int, struct FTW *);
     int flags;
     dev_t device;
+    void **visited; /* a tree of places; NULL: no link is followed, so no folder comes twice */
 };
+
+struct place {
+    dev_t device;
+    ino_t number;
+};
+
+static int by_place(const void *left, const void *right)
+{
+    const struct place *a = left, *b = right;
+    if (a->device != b->device)
+        return a->device < b->device ? -1 : 1;
+    return (a->number > b->number) - (a->number < b->number);
+}
+
+/* 1: the folder is visited for the first time; 0: a link has led to it again; -1: there is no memory. */
+static int is_new(const struct walk *w, const struct stat *st)
+{
+    struct place *place = w->visited ? malloc(sizeof *place) : NULL;
+    if (!place)
+        return w->visited ? -1 : 1;
+    *place = (struct place){st->st_dev, st->st_ino};
+    struct place **known = tsearch(place, w->visited, by_place);
+    int answer = !known ? -1 : *known == place;
+    if (answer != 1)
+        free(place);
+    return answer;
+}
 
 static int tell(const struct walk *w, const char *path, const struct stat *st, int kind, struct FTW *at)
 {
@@ -23,12 +52,16 @@ static int tell(const struct walk *w, const char *path, const struct stat *st, i
     return w->says(path, st, kind == FTW_SL || kind == FTW_SLN ? FTW_NS : kind);
 }
 
+static int follows(const struct walk *w)
+{
+    return !w->tells || !(w->flags & FTW_PHYS);
+}
+
 static int look(const struct walk *w, const char *path, struct stat *st)
 {
-    int follows = !w->tells || !(w->flags & FTW_PHYS);
-    if (follows ? stat(path, st) == 0 : lstat(path, st) == 0)
+    if (follows(w) ? stat(path, st) == 0 : lstat(path, st) == 0)
         return S_ISDIR(st->st_mode) ? FTW_D : S_ISLNK(st->st_mode) ? FTW_SL : FTW_F;
-    if (follows && lstat(path, st) == 0 && S_ISLNK(st->st_mode))
+    if (follows(w) && lstat(path, st) == 0 && S_ISLNK(st->st_mode))
         return FTW_SLN;
     return FTW_NS;
 }
@@ -66,6 +99,9 @@ static int visit(const struct walk *w, const char *path, struct FTW at)
         return 0;
     if (kind != FTW_D)
         return tell(w, path, &st, kind, &at);
+    int new = is_new(w, &st);
+    if (new != 1)
+        return new;
     DIR *d = opendir(path);
     if (!d)
         return errno == EACCES ? tell(w, path, &st, FTW_DNR, &at) : -1;
@@ -79,10 +115,15 @@ static int visit(const struct walk *w, const char *path, struct FTW at)
 static int begin(struct walk *w, const char *path)
 {
     struct stat st;
+    void *visited = NULL;
     const char *slash = strrchr(path, '/');
     if (stat(path, &st) == 0)
         w->device = st.st_dev;
-    return visit(w, path, (struct FTW){slash && slash[1] ? (int)(slash + 1 - path) : 0, 0});
+    if (follows(w))
+        w->visited = &visited;
+    int answer = visit(w, path, (struct FTW){slash && slash[1] ? (int)(slash + 1 - path) : 0, 0});
+    tdestroy(visited, free);
+    return answer;
 }
 
 int ftw(const char *path, int (*function)(const char *, const struct stat *, int), int descriptors)

@@ -1,4 +1,5 @@
-/* getopt.c - options of a program, as POSIX has them: they end at the first argument that is none. */
+/* getopt.c - options of a program, as POSIX has them: they end at the first argument that is none. As GNU's,
+ * an option with two colons takes the rest of its argument, if there is one. */
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -15,13 +16,15 @@ static int wrong(char *const argv[], const char *options, const char *why, int a
     return answer;
 }
 
-/* The value that an option has: the rest of its argument, or the next one. */
-static int take_value(int argc, char *const argv[], const char *options)
+/* The value that an option has: the rest of its argument, or the next one unless it may do without. */
+static int take_value(int argc, char *const argv[], const char *options, int may_lack)
 {
     const char *rest = inside;
     inside = NULL;
     if (*rest) {
         optarg = (char *)(size_t)rest;
+    } else if (may_lack) {
+        return optopt;
     } else if (optind < argc) {
         optarg = argv[optind];
         optind++;
@@ -49,7 +52,7 @@ int getopt(int argc, char *const argv[], const char *options)
     const char *option = optopt == ':' ? NULL : strchr(options, optopt);
     if (!option)
         return wrong(argv, options, "invalid option", '?');
-    return option[1] == ':' ? take_value(argc, argv, options) : optopt;
+    return option[1] == ':' ? take_value(argc, argv, options, option[2] == ':') : optopt;
 }
 
 /* What a header calls it that is asked for POSIX's only. */

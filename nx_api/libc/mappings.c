@@ -27,7 +27,7 @@ static void *fail(int why)
 static int fill(char *to, size_t bytes, int fd, off_t place)
 {
     for (size_t done = 0; done < bytes;) {
-        ssize_t n = pread(fd, to + done, bytes - done, place + (off_t)done);
+        ssize_t n = pread64(fd, to + done, bytes - done, place + (off_t)done);
         if (n < 0)
             return -1;
         if (n == 0)
@@ -46,8 +46,8 @@ void *mmap(void *at, size_t bytes, int access, int flags, int fd, off_t place)
         return fail(EINVAL);
     if (flags & MAP_FIXED || (of_file && flags & MAP_SHARED && access & PROT_WRITE))
         return fail(ENODEV);
-    bytes = (bytes + page - 1) / page * page;
-    struct mapping *m = malloc(sizeof *m);
+    bytes = (bytes + page - 1) / page * page; /* 0: more than there are addresses */
+    struct mapping *m = bytes ? malloc(sizeof *m) : NULL;
     char *p = m ? memalign(page, bytes) : NULL;
     if (!p) {
         free(m);

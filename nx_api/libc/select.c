@@ -40,9 +40,14 @@ static int count_ready(int most, const fd_set *set)
 /* Sets errno; -1 if a file is not open, or the number of files that are ready. Nothing is exceptional. */
 static int look(int most, fd_set *reads, fd_set *writes, fd_set *exceptions)
 {
+    if (most < 0) {
+        errno = EINVAL;
+        return -1;
+    }
+    most = most < FD_SETSIZE ? most : FD_SETSIZE; /* a set has no more */
     int in = count_ready(most, reads), out = count_ready(most, writes), other = count_ready(most, exceptions);
-    if (most < 0 || most > FD_SETSIZE || in < 0 || out < 0 || other < 0) {
-        errno = most < 0 || most > FD_SETSIZE ? EINVAL : EBADF;
+    if (in < 0 || out < 0 || other < 0) {
+        errno = EBADF;
         return -1;
     }
     if (exceptions)
@@ -73,6 +78,10 @@ int pselect(int most, fd_set *restrict reads, fd_set *restrict writes, fd_set *r
     (void)mask; /* signals do not come */
     if (ready)
         return ready;
+    if (limit && limit->tv_sec < 0) {
+        errno = EINVAL;
+        return -1;
+    }
     return limit ? wait_for(limit->tv_sec, limit->tv_nsec) : wait_for(-1, 0);
 }
 

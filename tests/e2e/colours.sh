@@ -41,3 +41,30 @@ on_terminal xterm "run -q -n 4 race"
 check "a race's variable stands out" has "${yellow}race on height$off: "
 on_terminal xterm "render nothing.ply"
 check "another command's error, too" has "${red}touchstone render:$off"
+
+# A question has no end of line: it is shown before its answer is read.
+cat >asks.c <<'END'
+#include <stdio.h>
+int main(void)
+{
+    int n = 0;
+    printf("how many? ");
+    scanf("%d", &n);
+    printf("%d\n", n);
+}
+END
+"$BUILD/nxcc" -o asks asks.c 2>compile.err
+cat >answers.py <<'END'
+import os, pty, select, sys
+pid, terminal = pty.fork()
+if pid == 0:
+    os.execv(sys.argv[1], sys.argv[1:])
+said = b""
+while b"many? " not in said and select.select([terminal], [], [], float(os.environ["PATIENCE"]))[0]:
+    said += os.read(terminal, 1000)
+print(said.decode())
+os.write(terminal, b"12\n")
+os.waitpid(pid, 0)
+END
+python3 answers.py "$BUILD/touchstone" run -q asks >out 2>err
+check "a question is shown before its answer is read" grep -qF 'how many? ' out

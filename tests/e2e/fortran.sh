@@ -24,6 +24,7 @@ check "mixed: linked from objects by nxcc" "$BUILD/nxcc" -o linked mixed.o part.
 mv out expected
 run -n 2 linked
 check "mixed: the same" diff expected out
+check "mixed: options of gcc's that have values" "$BUILD/nxcc" -O2 -z noexecstack -B /usr/bin -o mixed mixed.c part.f90
 check "mixed: nxf77 compiles C" nxf77 -node -o linked mixed.c part.o
 
 # --- a REAL(16) alone in READ and PRINT; -lquadmath
@@ -214,6 +215,16 @@ check "dec: operators of a module give what they return" prints ' 25.0\n'
 
 cp "$f/dialect.f" .
 check "dialect: what only if77 took" nxf77 -Mextend -o dialect dialect.f
+gcc=$("$BUILD/nxcc" --dry-run -c dialect.f | cut -d' ' -f1)
+mkdir german && cat >"german/$gcc" <<END
+#!/bin/bash
+$(type -P "$gcc") "\$@" 2>said
+status=\$?
+[ "\$LANGUAGE" = en ] && cat said >&2 || sed 's/ at (1)/ bei (1)/' said >&2
+exit \$status
+END
+chmod +x "german/$gcc"
+check "dialect: also by a compiler that has German" env PATH="$PWD/german:$PATH" LANGUAGE=de "$BUILD/nxf77" -O2 -Mextend -o dialect dialect.f
 runs_with_input() { "$BUILD/touchstone" run -q -n 1 "$1" < <(printf '5\n  42\n') >out 2>err; }
 runs_with_input dialect
 check "dialect: ENCODE and DECODE, INTEGERs as conditions and texts, VAX's words for files, ACCEPT, VIRTUAL, OPTIONS, EXTERNAL of itself" \

@@ -50,3 +50,45 @@ away() { "$BUILD/nxcc" -g -o away away.c; }
 check "a folder outside: compiled" away
 run -q away
 check "a folder outside: refused, by its call and line" said 'opendir: programs may not read .*/folder, which is not below'
+
+# The machine's time zone is UTC, wherever it is simulated.
+cat >zone.c <<'END'
+#include <stdio.h>
+#include <time.h>
+int main(void)
+{
+    char text[80];
+    struct tm tm = {.tm_year = 93, .tm_mday = 1};
+    strftime(text, sizeof text, "%Z %s %-s", &tm);
+    puts(text);
+}
+END
+"$BUILD/nxcc" -o zone zone.c 2>compile.err
+TZ=America/New_York run -q zone
+check "the time zone is not this computer's" grep -qx 'UTC 725846400 725846400' out
+
+# Links that lead back into the folder that they are in: it is walked through once.
+mkdir circles
+ln -s . circles/one
+ln -s . circles/two
+cat >walk.c <<'END'
+#define _GNU_SOURCE
+#include <ftw.h>
+#include <stdio.h>
+#include <stdlib.h>
+static int visit(const char *path, const struct stat *st, int kind)
+{
+    static int count;
+    if (++count > 9)
+        exit(1);
+    return puts(path) < 0;
+}
+int main(void)
+{
+    return ftw("circles", visit, 5);
+}
+END
+"$BUILD/nxcc" -o walk walk.c 2>compile.err
+run -q walk
+check "a walk in circles ends" ended_with 0
+check "the folder was walked through once" grep -qx circles out

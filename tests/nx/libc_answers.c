@@ -139,7 +139,12 @@ static int options(void)
     optind = 1;
     while ((c = getopt(7, arguments, "abn:x:c")) != -1)
         snprintf(seen + strlen(seen), 8, "%c%s ", c, optarg ? optarg : "");
-    return !strcmp(seen, "a b n3 x2 ") && optind == 6;
+    int good = !strcmp(seen, "a b n3 x2 ") && optind == 6;
+    char *lacks[] = {"p", "-v", "-v3", "-a", NULL};
+    optind = 0, *seen = 0;
+    while ((c = getopt(4, lacks, "av::")) != -1)
+        snprintf(seen + strlen(seen), 8, "%c%s ", c, optarg ? optarg : "");
+    return good && !strcmp(seen, "v v3 a ");
 }
 
 /* What getopt_long or getopt_long_only finds, and the arguments that are left; these come last. */

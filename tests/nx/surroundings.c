@@ -13,8 +13,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/times.h>
 #include <sys/utsname.h>
+#include <time.h>
 #include <unistd.h>
 #include "rule.h"
 
@@ -100,6 +102,28 @@ static int loaded(void)
     return good;
 }
 
+/* A program has no children; and there are not as many clocks as numbers. */
+static int wrong_clocks(void)
+{
+    struct rusage use;
+    struct timespec now;
+    struct timezone zone;
+    int good = getrusage(RUSAGE_CHILDREN, &use) == 0 && !use.ru_utime.tv_sec && !use.ru_utime.tv_usec;
+    good = good && getrusage(55, &use) == -1 && errno == EINVAL && gettimeofday(NULL, &zone) == 0;
+    errno = 0;
+    return good && clock_gettime(99, &now) == -1 && errno == EINVAL;
+}
+
+/* Names of variables that are none. */
+static int wrong_names(void)
+{
+    int good = setenv("", "x", 1) == -1 && errno == EINVAL;
+    errno = 0;
+    good = good && setenv("A=B", "x", 1) == -1 && errno == EINVAL && !getenv("A");
+    errno = 0;
+    return good && unsetenv("A=B") == -1 && errno == EINVAL;
+}
+
 static int login(void)
 {
     char name[40] = "", few[2];
@@ -134,6 +158,8 @@ int main(void)
     rule("sysconf of something else", sysconf(12345) == -1 && errno == EINVAL);
     rule("getlogin", login());
     rule("getrusage", times_used());
+    rule("clocks that are none", wrong_clocks());
+    rule("variables that are none", wrong_names());
     rule("signals", signals());
     rule("System V's signals", system_v());
     rule("mallinfo", heap_info());

@@ -85,5 +85,7 @@ int main(void)
     rule("the alarm is one of them", one_is_the_alarm());
     rule("wrong ones are refused", wrong_ones());
     rule("no signal comes", came == 0);
+    double before = dclock();
+    rule("a sleep as long as there is time", sleep(-1) == 0 && dclock() - before > 200 * 86400.0);
     return 0;
 }

@@ -11,6 +11,7 @@
 #include <fenv.h>
 #include <langinfo.h>
 #include <malloc.h>
+#include <limits.h>
 #include <poll.h>
 #define _REGEX_RE_COMP
 #include <regex.h>
@@ -93,6 +94,12 @@ static int ready(void)
     good = good && !FD_ISSET(0, &other);
     FD_SET(40, &in);
     good = good && select(41, &in, NULL, NULL, &none) == -1 && errno == EBADF;
+    FD_ZERO(&in);
+    good = good && select(INT_MAX, &in, NULL, NULL, &none) == 0; /* a set has not so many */
+    good = good && select(-1, &in, NULL, NULL, &none) == -1 && errno == EINVAL;
+    const struct timespec wrong = {.tv_sec = -1};
+    errno = 0;
+    good = good && pselect(0, NULL, NULL, NULL, &wrong, NULL) == -1 && errno == EINVAL;
     before = dclock();
     good = good && select(0, NULL, NULL, NULL, &some) == 0 && dclock() - before >= 0.02;
     before = dclock();
@@ -196,9 +203,16 @@ static int mappings(void)
         good && munmap(p, 4096) == -1 && munmap(p, 5000) == 0 && munmap(q, 100) == 0 && munmap(q, 100) == -1;
     p = mmap(NULL, 100, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     good = good && p != MAP_FAILED && p[0] == 0 && p[99] == 0 && munmap(p, 100) == 0;
+    if (sizeof(off_t) == 8) {
+        good = good && pwrite64(fd, "far", 3, 0x100000000) == 3;
+        q = mmap64(NULL, 100, PROT_READ, MAP_PRIVATE, fd, 0x100000000);
+        good = good && !strcmp(q, "far") && munmap(q, 100) == 0;
+    }
     errno = 0;
     good = good && mmap(NULL, 9, PROT_WRITE, MAP_SHARED, fd, 0) == MAP_FAILED && errno == ENODEV;
     good = good && mmap(NULL, 9, PROT_READ, MAP_PRIVATE, 60, 0) == MAP_FAILED && errno == EBADF;
+    good = good && mmap(NULL, -9, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) == MAP_FAILED &&
+           errno == ENOMEM;
     return good && close(fd) == 0 && unlink(name) == 0 && mallinfo().uordblks == before.uordblks;
 }
 

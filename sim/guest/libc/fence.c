@@ -245,6 +245,10 @@ int fence_open(struct fence *f, const char *path, int flags, mode_t permissions)
         return closed(fd, open_found(fd, flags));
     if (fd == FENCE_REFUSED || errno != ENOENT || !(flags & O_CREAT))
         return fd;
+    if (*path && path[strlen(path) - 1] == '/') {
+        errno = EISDIR; /* a folder's name, which no file gets */
+        return -1;
+    }
     int answer = look_up_place(f, path, &p);
     return answer ? answer : closed(p.folder, openat(p.folder, p.name, flags | O_NOFOLLOW, permissions));
 }
@@ -269,7 +273,7 @@ int fence_open_temporary(struct fence *f, const char *path, int flags)
     if (!temporary && check(f, f->real, WRITES))
         return closed(p.folder, FENCE_REFUSED);
     int fd = openat(p.folder, p.name, flags | O_CREAT | O_EXCL | O_NOFOLLOW, 0600);
-    if (fd >= 0 && temporary)
+    if (fd >= 0 && temporary && check(f, f->real, WRITES)) /* not there of a file of that name before */
         add(f, f->real, true);
     return closed(p.folder, fd);
 }

@@ -296,8 +296,19 @@ static int put_variable(struct node *n, char *text, size_t name_len)
     return 0;
 }
 
+/* A variable's name has a letter at least, and no '='. */
+static bool is_name(const char *name)
+{
+    if (*name && !strchr(name, '='))
+        return true;
+    errno = EINVAL;
+    return false;
+}
+
 int node_unsetenv(const char *name)
 {
+    if (!is_name(name))
+        return -1;
     char **list = *node_libc_environ(node_self());
     size_t len = strlen(name);
     for (char **e; (e = find_in(list, name, len)) != NULL;)
@@ -339,6 +350,8 @@ static char *text_to_set(struct node *n, const char *before, size_t bytes)
 int node_setenv(const char *name, const char *value, int replaces)
 {
     struct node *n = node_self();
+    if (!is_name(name))
+        return -1;
     size_t len = strlen(name), bytes = len + strlen(value) + 2;
     char **e = find_in(*node_libc_environ(n), name, len);
     if (!replaces && e != NULL)

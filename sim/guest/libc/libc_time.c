@@ -19,10 +19,12 @@
 #include "lp/clock.h"
 #include "guest/libc/host_errno.h"
 #include "node/self.h"
+#include "os/fail.h"
 #include "os/front.h"
 #include "os/gate.h"
 
-#define EPOCH ((time_t)725846400) /* 1993-01-01 00:00:00 UTC */
+#define EPOCH ((time_t)725846400)                    /* 1993-01-01 00:00:00 UTC */
+#define LAST_MOMENT (VT_NEVER - 1000000 * VT_SECOND) /* to wait for: the program may go on for some days */
 
 /* The time at which a clock call returns to the program, and the node's idle and system time so far. */
 struct reading {
@@ -64,8 +66,9 @@ int node_gettimeofday(struct timeval *tv, void *zone)
     vtime now = clock_call("gettimeofday");
     if (zone != NULL)
         *(struct timezone *)zone = (struct timezone){0};
-    tv->tv_sec = EPOCH + (time_t)(now / VT_SECOND);
-    tv->tv_usec = (suseconds_t)(now % VT_SECOND / VT_MICROSECOND);
+    if (tv != NULL)
+        *tv = (struct timeval){EPOCH + (time_t)(now / VT_SECOND),
+                               (suseconds_t)(now % VT_SECOND / VT_MICROSECOND)};
     return 0;
 }
 
@@ -74,18 +77,28 @@ int node_clock_gettime(clockid_t clock, struct timespec *ts)
 {
     struct reading r = read_clock("clock_gettime");
     bool own = clock == CLOCK_PROCESS_CPUTIME_ID || clock == CLOCK_THREAD_CPUTIME_ID;
+    if (clock < CLOCK_REALTIME || clock > CLOCK_TAI) {
+        node_set_errno(EINVAL);
+        return -1;
+    }
     vtime now = own ? r.now - r.idle : r.now;
     ts->tv_sec = (time_t)(now / VT_SECOND) + (clock == CLOCK_REALTIME ? EPOCH : 0);
     ts->tv_nsec = (long)(now % VT_SECOND / (VT_SECOND / 1000000000));
     return 0;
 }
 
-/* Reports user and system time only; the other figures are 0. */
+/* Reports user and system time only; the other figures are 0, as are all of a program's children: it has
+ * none. */
 int node_getrusage(int who, struct rusage *use)
 {
     struct reading r = read_clock("getrusage");
+    if (who == RUSAGE_CHILDREN) {
+        r = (struct reading){0};
+    } else if (who != RUSAGE_SELF && who != RUSAGE_THREAD) {
+        node_set_errno(EINVAL);
+        return -1;
+    }
     vtime user = r.now - r.idle - r.system;
-    (void)who;
     *use = (struct rusage){
         .ru_utime = {(time_t)(user / VT_SECOND), (suseconds_t)(user % VT_SECOND / VT_MICROSECOND)},
         .ru_stime = {(time_t)(r.system / VT_SECOND), (suseconds_t)(r.system % VT_SECOND / VT_MICROSECOND)}};
@@ -187,20 +200,19 @@ useconds_t node_ualarm(useconds_t first, useconds_t every)
     return (useconds_t)micro(&before.it_value);
 }
 
-/* The format with GNU's %s replaced by the seconds: the host's strftime would compute them for the host's
- * time zone. For free(). */
+/* The format with GNU's %s, also with flags, as in %-s, replaced by the seconds: the host's strftime would
+ * compute them for the host's time zone. For free(). */
 static char *without_seconds(const char *format, const struct tm *tm)
 {
     struct tm copy = *tm;
     char seconds[24], *made = xmalloc(strlen(format) * sizeof seconds + 1), *to = made;
     snprintf(seconds, sizeof seconds, "%lld", (long long)timegm(&copy));
-    for (; *format; format++) {
-        if (format[0] == '%' && format[1] == 's')
-            to = stpcpy(to, seconds), format++;
-        else if (format[0] == '%' && format[1] != 0)
-            *to++ = *format++, *to++ = *format;
-        else
-            *to++ = *format;
+    while (*format) {
+        size_t flags = *format == '%' ? strspn(format + 1, "_-0^#+123456789EO") : 0;
+        char conversion = *format == '%' ? format[1 + flags] : 0;
+        size_t bytes = conversion ? flags + 2 : 1;
+        to = conversion == 's' ? stpcpy(to, seconds) : (char *)memcpy(to, format, bytes) + bytes;
+        format += bytes;
     }
     *to = 0;
     return made;
@@ -209,7 +221,10 @@ static char *without_seconds(const char *format, const struct tm *tm)
 size_t node_strftime(char *buf, size_t room, const char *format, const struct tm *tm)
 {
     char *plain = without_seconds(format, tm);
-    size_t len = strftime(buf, room, plain, tm);
+    struct tm here = *tm;
+    if (!here.tm_zone)
+        here.tm_zone = "UTC"; /* else it is the host's */
+    size_t len = strftime(buf, room, plain, &here);
     free(plain);
     return len;
 }
@@ -243,12 +258,17 @@ static bool is_over(struct node *n, void *until)
     return node_now(n) >= *(vtime *)until;
 }
 
-/* Waits for t. Meanwhile messages are received and handlers run. */
-static void pause_for(const char *call, vtime t)
+/* Waits for so many seconds and picoseconds, or as long as virtual time has moments. Meanwhile messages are
+ * received and handlers run. */
+static void pause_for(const char *call, uint64_t seconds, vtime t)
 {
     struct node *n = node_self();
     node_enter(n, call);
-    vtime until = node_now(n) + t;
+    vtime now = node_now(n), left = now < LAST_MOMENT ? LAST_MOMENT - now : 0;
+    if (left == 0)
+        node_fail(n, "%s: virtual time ends here", call);
+    t = seconds < left / VT_SECOND ? vt_min(left, seconds * VT_SECOND + t) : left;
+    vtime until = now + t;
     if (t > 0) {
         lp_wake(&n->lp, until);
         node_wait(n, is_over, &until);
@@ -269,7 +289,7 @@ int node_pause(void)
 {
     struct node_timer *t = &libc_of(node_self())->timers[ITIMER_REAL];
     vtime now = clock_call("pause"), due = timer_due(t, now);
-    pause_for("pause", due - now);
+    pause_for("pause", 0, due - now);
     *t = (struct node_timer){due, t->every, t->every};
     node_set_errno(EINTR);
     return -1;
@@ -295,13 +315,13 @@ int node_sigsuspend(const void *mask)
 
 unsigned node_sleep(unsigned seconds)
 {
-    pause_for("sleep", seconds * VT_SECOND);
+    pause_for("sleep", seconds, 0);
     return 0;
 }
 
 int node_usleep(unsigned microseconds)
 {
-    pause_for("usleep", microseconds * VT_MICROSECOND);
+    pause_for("usleep", 0, microseconds * VT_MICROSECOND);
     return 0;
 }
 
@@ -311,7 +331,7 @@ int node_nanosleep(const struct timespec *t, struct timespec *left)
         errno = EINVAL;
         return -1;
     }
-    pause_for("nanosleep", (vtime)t->tv_sec * VT_SECOND + (vtime)t->tv_nsec * (VT_SECOND / 1000000000));
+    pause_for("nanosleep", (uint64_t)t->tv_sec, (vtime)t->tv_nsec * (VT_SECOND / 1000000000));
     if (left != NULL)
         *left = (struct timespec){0};
     return 0;
