@@ -4,6 +4,8 @@
 #include <string.h>
 #include "kernel/xalloc.h"
 
+enum { MOST_NODES = 9999999 };
+
 /* Reads a whole number of at most 7 digits. Returns false if there is none. */
 static bool number(const char **at, uint32_t *value)
 {
@@ -29,6 +31,8 @@ static char *read_size(const char **at, const struct cfg_machine *m, struct cube
         ++*at;
         if (!number(at, &t->columns) || t->columns == 0)
             return xasprintf("rows and columns are numbers from 1 up");
+        if ((uint64_t)t->rows * t->columns > MOST_NODES)
+            return xasprintf("%u rows of %u nodes are more than any machine has", t->rows, t->columns);
         t->nodes = t->rows * t->columns;
     }
     if (cube)

@@ -92,6 +92,25 @@ static bool check_include(struct cfg_reader *r, const struct reading *file, cons
     return good;
 }
 
+/* Does a comment of several lines go on behind this line? Others end with it. */
+static bool ends_in_comment(const char *line, bool in_comment)
+{
+    for (bool in_text = false; *line && *line != '\n'; line++)
+        if (in_comment && !strncmp(line, "*/", 2))
+            in_comment = false, line++;
+        else if (in_comment)
+            continue;
+        else if (*line == '"')
+            in_text = !in_text;
+        else if (in_text)
+            line += line[0] == '\\' && line[1] == '"';
+        else if (!strncmp(line, "/*", 2))
+            in_comment = true, line++;
+        else if (*line == '#' || !strncmp(line, "//", 2))
+            break;
+    return in_comment;
+}
+
 /* The runs of a study read its machine file again, and what a pipe gave is gone; one that nobody writes into
  * would be waited for without end. */
 static bool is_pipe(const char *path, const char **why, int *line)
@@ -125,12 +144,15 @@ static char *read_all(struct cfg_reader *r, const struct reading *file)
     char *text = is_pipe(file->path, &why, &at) ? NULL : text_file_read(file->path, MOST_BYTES, &why, &at);
     if (!text)
         r->error = unreadable(file, at, why);
-    for (const char *line = text; file->depth < DEEPEST && line && *line;
-         line += strcspn(line, "\n"), line += *line == '\n', number++)
-        if (!check_include(r, file, line, number)) {
+    bool in_comment = false;
+    for (const char *line = text; file->depth < DEEPEST && line && *line; number++) {
+        if (!in_comment && !check_include(r, file, line, number)) {
             free(text);
             return NULL;
         }
+        in_comment = ends_in_comment(line, in_comment);
+        line += strcspn(line, "\n"), line += *line == '\n';
+    }
     return text;
 }
 

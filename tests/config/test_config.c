@@ -294,10 +294,12 @@ static void included_files_are_named_by_path(void **state)
 {
     (void)state;
     static const char *const cases[][2] = {
+        {"/* as before:\n@include \"none.inc\"\n*/ name = \"/*\"; description = 7;",
+         "folder/toy.inc:3: description: must be text in double quotes, not empty"},
         {"name = 7;", "folder/toy.inc:1: name: must be text in double quotes, not empty"},
         {"name = ;", "folder/toy.inc:1: syntax error (settings are written: key = value;)"}};
     assert_int_equal(mkdir("folder", 0777), 0);
-    for (int i = 0; i < 2; i++) {
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char *error = NULL;
         FILE *toy = fopen("folder/toy.cfg", "w"), *inc = fopen("folder/toy.inc", "w");
         assert_true(toy && inc);

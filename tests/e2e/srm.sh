@@ -150,6 +150,8 @@ fi
 start -m delta --log delta.log
 ask getcube -t 2x8
 check "on a mesh: rows and columns" grep -qx 'default: 2 x 8 nodes at row 0, column 0 of delta' out
+ask getcube -c many -t 65536x65537
+check "on a mesh: no numbers beyond those of nodes" said '65536 rows of 65537 nodes are more than any machine has'
 ask getcube -t 3x3 -c b
 ask load -c default ring
 ask waitcube -c default
