@@ -42,7 +42,7 @@ void refusal_print(FILE *f, const struct node *n)
     if (r->depth > 0)
         fprintf(f, " in %s", node_image_where(n->guest.file, place_of(n, r), where, sizeof where));
     fprintf(f, ": %.1f of %.5g MB in use; ", (double)r->used / mb, all);
-    if ((double)(r->used + r->bytes) > all * mb)
+    if ((double)r->used + (double)r->bytes > all * mb)
         fprintf(f, "--set %s=N gives more", n->is_host ? "host.memory_mb" : "node.memory_mb");
     else
         fprintf(f, "this computer has addresses for %.5g MB a node, with so many nodes",

@@ -47,6 +47,16 @@ check "a program that looks: compiled" compile_here
 run -n 1 looks exits
 check "exit(3): the report says what was refused, and by which call" said \
     '^  its memory was exhausted: strdup of 9,000,000 bytes was refused in copy\+0x[0-9a-f]+ \(looks.c:9\): 1[0-9]\.[0-9] of 16 MB'
+
+# A negative number of bytes is a very large one.
+cat >negative.c <<'END'
+#include <stdlib.h>
+int main(int argc, char **argv) { char *p = malloc((size_t)-argc); p[0] = **argv; return 0; }
+END
+"$BUILD/nxcc" -g -o negative negative.c 2>compile.err
+run -q -m ipsc860 negative
+check "a negative number of bytes: said" \
+    said 'malloc of 18,446,744,073,709,551,615 bytes was refused in main.*: [0-9.]+ of 16 MB in use; --set node.memory_mb=N gives more$'
 run -n 1 looks asserts
 check "an assertion: so it does" said 'strdup of 9,000,000 bytes was refused'
 run -n 1 looks goes-on
