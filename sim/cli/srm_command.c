@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include "cli/commands.h"
 #include "cli/installation.h"
@@ -66,8 +67,11 @@ static int make_links(const char *dir, const char *self)
 {
     for (const struct cli_cube_command *c = CLI_CUBE_COMMANDS; c->name; c++) {
         char link[PATH_MAX];
+        struct stat st;
         snprintf(link, sizeof link, "%s/%s", dir, c->name);
-        if (symlink(self, link) == 0 || errno == EEXIST)
+        if (lstat(link, &st) == 0 && S_ISLNK(st.st_mode))
+            unlink(link); /* perhaps to another touchstone, which is gone */
+        if (symlink(self, link) == 0)
             continue;
         cli_say_error("srm", "%s cannot be made: %s", link, strerror(errno));
         return 1;

@@ -21,7 +21,16 @@ gone() { awaited is_gone "$1"; }
 has_asked() { ls -l "/proc/$1/fd" | grep -q socket: && grep -q '^State:.*sleeping' "/proc/$1/status"; }
 
 mkdir links
+ln -s gone links/load
+echo mine >links/relcube
+"$BUILD/touchstone" srm --links links >out 2>err
+status=$?
+check "a file where a link is to be: status" ended_with 1
+check "a file where a link is to be: message" said 'links/relcube cannot be made: File exists'
+check "the file stays" grep -qx mine links/relcube
+rm links/relcube
 "$BUILD/touchstone" srm --links links
+check "a link to a touchstone that is gone is made anew" test -x links/load
 ask getcube -t 16
 check "without a service: exit status 69" ended_with 69
 check "without a service: what starts one" said 'getcube: no service answers at .*touchstone srm'
