@@ -61,15 +61,15 @@ void store_free(struct store *s)
 
 /* --- paths --- */
 
-/* "/cfs//a/./b", or "/pfs//a/./b" -> "a/b". Returns false if the path leads out of /cfs, or is too long. */
-static bool within(const char *path, char *buf, size_t size)
+/* "/cfs//a/./b", or "/pfs//a/./b" -> "a/b". 0; EACCES: the path leads out of /cfs; or ENAMETOOLONG. */
+static int within(const char *path, char *buf, size_t size)
 {
     char *end = buf;
     for (path += 4; *path;) {
         size_t n = strcspn(path, "/");
         bool up = n == 2 && memcmp(path, "..", 2) == 0, same = n == 0 || (n == 1 && *path == '.');
         if (up || (size_t)(end - buf) + n + 2 > size)
-            return false;
+            return up ? EACCES : ENAMETOOLONG;
         if (!same) {
             if (end > buf)
                 *end++ = '/';
@@ -79,7 +79,7 @@ static bool within(const char *path, char *buf, size_t size)
         path += n + (path[n] == '/');
     }
     *end = 0;
-    return true;
+    return 0;
 }
 
 /* The folder is made when it is first needed, so that programs without files leave no trace. */
@@ -187,14 +187,15 @@ static int truncate_file(struct store *s, struct store_file *f)
 int store_open(struct store *s, const char *path, int flags, mode_t permissions, struct store_file **file)
 {
     char name[PATH_MAX];
-    if (!within(path, name, sizeof name))
-        return EACCES;
+    int error = within(path, name, sizeof name);
+    if (error)
+        return error;
     struct store_file *f = find(s, name);
     if (f && f->users && (flags & O_CREAT) && (flags & O_EXCL))
         return EEXIST;
     if (!f)
         f = add(s, name);
-    int error = f->users ? 0 : open_host(s, f, flags, permissions);
+    error = f->users ? 0 : open_host(s, f, flags, permissions);
     if (error)
         return error;
     f->users++;
@@ -226,7 +227,8 @@ void store_release(struct store_file *f)
 /* Finds a path's name within the file system, and on the host, in PATH_MAX bytes each. 0, or an error. */
 static int find_names(struct store *s, const char *path, char *name, char *host)
 {
-    return within(path, name, PATH_MAX) ? host_path(s, name, host, PATH_MAX) : EACCES;
+    int error = within(path, name, PATH_MAX);
+    return error ? error : host_path(s, name, host, PATH_MAX);
 }
 
 int store_unlink(struct store *s, const char *path)
@@ -269,11 +271,9 @@ static void rename_files(struct store *s, const char *from, const char *to)
 int store_rename(struct store *s, const char *from, const char *to)
 {
     char name[PATH_MAX], new_name[PATH_MAX], host[PATH_MAX], new_host[PATH_MAX];
-    if (!within(from, name, sizeof name) || !within(to, new_name, sizeof new_name))
-        return EACCES;
-    int error = host_path(s, name, host, sizeof host);
+    int error = find_names(s, from, name, host);
     if (!error)
-        error = host_path(s, new_name, new_host, sizeof new_host);
+        error = find_names(s, to, new_name, new_host);
     if (error)
         return error;
     make_folders(s, new_host);

@@ -51,6 +51,16 @@ static int far_places(void)
     return good && fails(pwrite64(fd, "abc", 3, INT64_MAX), EFBIG) && close(fd) == 0;
 }
 
+static int long_names(void)
+{
+    char path[5000];
+    memset(path, 'n', sizeof path);
+    memcpy(path, "/cfs/", 5);
+    path[sizeof path - 1] = 0;
+    return fails(open(path, O_RDONLY), ENAMETOOLONG) && fails(unlink(path), ENAMETOOLONG) &&
+           fails(rename(name, path), ENAMETOOLONG) && fails(open("/cfs/../x", O_RDONLY), EACCES);
+}
+
 static int long_reads(void)
 {
     char text[8];
@@ -83,6 +93,7 @@ int main(void)
     rule("errno stays as it was unless there is an error", errno_stays());
     rule("a file open for reading is not changed", only_for_reading());
     rule("places that no file has", far_places());
+    rule("names that are too long", long_names());
     rule("a read that asks for more than there is", long_reads());
     rule("a folder's new name", folders());
     return unlink(name);
