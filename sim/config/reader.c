@@ -277,7 +277,8 @@ bool cfg_time(struct cfg_reader *r, config_setting_t *in, const char *key, const
     bool in_ns = config_setting_get_member(in, ns) != NULL;
     if (in_ns && config_setting_get_member(in, us))
         return cfg_fail(r, config_setting_get_member(in, ns), ns, "%s is given too: one of them only", us);
-    if (!cfg_number(r, in, in_ns ? ns : us, 0, in_ns ? 1e9 : 1e6, &value))
+    double most_us = *tail ? 1e3 : 1e6; /* of a byte: no message takes longer than virtual time has */
+    if (!cfg_number(r, in, in_ns ? ns : us, 0, in_ns ? 1e3 * most_us : most_us, &value))
         return false;
     *ps = (uint64_t)llround(value * (in_ns ? 1e3 : 1e6));
     return true;

@@ -257,6 +257,8 @@ static void bad_files_are_named_by_line_and_key(void **state)
         {6, "stack_kb = \"64\";", "toy.cfg:6: stack_kb: must be a whole number from 16 to 16384"},
         {9, "short_limit = 100; short_hop_ns = 3;",
          "toy.cfg:9: short_hop_ns: short_hop_us is given too: one of them only"},
+        {13, "send_us_per_byte = 1; receive_us_per_byte = 1001; copy_us_per_byte = 1;",
+         "toy.cfg:13: receive_us_per_byte: 1001 is out of range: 0 to 1000 are allowed"},
         {14, "interrupt_us = \"long\";", "toy.cfg:14: interrupt_us: must be a number from 0 to 1e+06"},
         {14, "interrupt_us = -1.0;", "toy.cfg:14: interrupt_us: -1 is out of range: 0 to 1e+06 are allowed"},
         {14, "", "toy.cfg:11: interrupt_us: missing"},

@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <stdio.h>
 #include <unistd.h>
-#include "guest/libc/libc_parts.h"
 #include "guest/libc/progress_line.h"
 #include "node/node.h"
 #include "node/system.h"
@@ -34,22 +33,9 @@ static ssize_t read_line(int fd, char *buf, size_t size)
     return done > 0 ? (ssize_t)done : n;
 }
 
-/* Shows what the user may be asked by, also if its line has no end, as the C library does that reads from a
- * terminal. */
-static void show_question(const struct node_file *f)
-{
-    FILE *out = libc_of(f->node)->streams.standard[STDOUT_FILENO];
-    const struct node_file *to = descriptor_file(f->node, STDOUT_FILENO);
-    if (out && to && to->class->terminal && isatty(fd_of(f)))
-        fflush(out);
-    fflush(f->node->sys->out[0]);
-}
-
 static ssize_t in_read(struct node_file *f, void *buf, size_t bytes)
 {
-    int before = errno;
-    show_question(f);
-    errno = before;
+    fflush(f->node->sys->out[0]); /* the user may be asked for what is read here */
     return f->node->sys->cube ? read_line(fd_of(f), buf, bytes) : read(fd_of(f), buf, bytes);
 }
 
