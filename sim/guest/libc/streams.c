@@ -30,10 +30,24 @@ static struct node_file *file_under(const struct stream *s)
     return s->memory ? s->memory : descriptor_file(s->node, s->fd);
 }
 
+/* Shows what the user may be asked by, also if its line has no end, as the C library does that reads from a
+ * terminal. */
+static void show_question(struct node *n)
+{
+    FILE *out = streams_of(n)->standard[STDOUT_FILENO];
+    int before = node_errno();
+    const struct node_file *to = out ? descriptor_file(n, STDOUT_FILENO) : NULL;
+    if (to && to->class->terminal && isatty(STDIN_FILENO))
+        fflush(out);
+    node_set_errno(before);
+}
+
 static ssize_t stream_read(void *cookie, char *buf, size_t size)
 {
     struct stream *s = cookie;
     struct node_file *f = file_under(s);
+    if (f && f->class->terminal)
+        show_question(s->node);
     return f ? file_read(f, buf, size) : -1;
 }
 
