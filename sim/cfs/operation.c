@@ -83,10 +83,12 @@ static struct cfs_op *op_new(struct cfs_file *f, bool write, const struct iovec 
     op->bytes = sum_of(parts, count);
     if (write)
         op->data = xmalloc(op->bytes + 1);
-    memcpy(op->parts, parts, (size_t)count * sizeof *parts);
     char *to = op->data;
-    for (int i = 0; write && i < count; to += parts[i++].iov_len)
-        memcpy(to, parts[i].iov_base, parts[i].iov_len);
+    for (int i = 0; i < count; i++) {
+        op->parts[i] = parts[i];
+        if (write && parts[i].iov_len)
+            to = (char *)memcpy(to, parts[i].iov_base, parts[i].iov_len) + parts[i].iov_len;
+    }
     store_hold(f->store);
     op->next = c->ops, op->link = &c->ops;
     if (op->next)

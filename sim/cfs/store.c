@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <search.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,8 +20,73 @@ struct store {
     char *failure;          /* why it cannot be made */
     struct fence *fence;    /* round the folder: links out of it are not followed */
     struct store_file *files;
+    void *by_path; /* a tree of those that are not gone: tsearch() */
     uint32_t ids;
 };
+
+/* --- the files that it knows --- */
+
+static int compare(const void *a, const void *b)
+{
+    return strcmp(((const struct store_file *)a)->path, ((const struct store_file *)b)->path);
+}
+
+static struct store_file *find(struct store *s, const char *name)
+{
+    const struct store_file sought = {.path = (char *)(uintptr_t)name};
+    struct store_file **f = tfind(&sought, &s->by_path, compare);
+    return f ? *f : NULL;
+}
+
+static void put_path(struct store *s, struct store_file *f, char *path)
+{
+    f->path = path;
+    xchecked(tsearch(f, &s->by_path, compare));
+}
+
+static struct store_file *add(struct store *s, const char *name)
+{
+    struct store_file *f = xcalloc(1, sizeof *f);
+    f->id = s->ids++;
+    f->next = s->files, f->link = &s->files;
+    if (f->next)
+        f->next->link = &f->next;
+    s->files = f;
+    put_path(s, f, xstrdup(name));
+    return f;
+}
+
+static void free_file(struct store_file *f)
+{
+    if (f->next)
+        f->next->link = f->link;
+    *f->link = f->next;
+    modes_free(&f->modes);
+    free(f->volumes);
+    free(f->path);
+    free(f);
+}
+
+/* Frees a file that nobody can name or use any more. (A round of mode 4 may still name it: unison.c.) */
+static void free_if_lost(struct store_file *f)
+{
+    if (f->gone && f->users == 0 && f->modes.group[MODE_UNISON].generation == 0)
+        free_file(f);
+}
+
+static void lose_name(struct store *s, struct store_file *f)
+{
+    tdelete(f, &s->by_path, compare);
+    f->gone = true;
+    free_if_lost(f);
+}
+
+static void keep(void *f)
+{
+    (void)f;
+}
+
+/* --- making and freeing --- */
 
 struct store *store_new(const char *dir, char **error)
 {
@@ -43,14 +109,11 @@ void store_free(struct store *s)
 {
     if (!s)
         return;
-    for (struct store_file *f = s->files, *next; f; f = next) {
-        next = f->next;
-        if (f->users)
-            close(f->host);
-        modes_free(&f->modes);
-        free(f->volumes);
-        free(f->path);
-        free(f);
+    tdestroy(s->by_path, keep);
+    while (s->files) {
+        if (s->files->users)
+            close(s->files->host);
+        free_file(s->files);
     }
     scratch_remove(&s->scratch);
     fence_free(s->fence);
@@ -123,14 +186,6 @@ static void make_folders(const struct store *s, char *path)
     }
 }
 
-static struct store_file *find(struct store *s, const char *name)
-{
-    for (struct store_file *f = s->files; f; f = f->next)
-        if (!f->gone && strcmp(f->path, name) == 0)
-            return f;
-    return NULL;
-}
-
 /* --- opening --- */
 
 /* Why a file could not be opened for writing: may it still be read? */
@@ -165,16 +220,6 @@ static int open_host(struct store *s, struct store_file *f, int flags, mode_t pe
     return 0;
 }
 
-static struct store_file *add(struct store *s, const char *name)
-{
-    struct store_file *f = xcalloc(1, sizeof *f);
-    f->path = xstrdup(name);
-    f->id = s->ids++;
-    f->next = s->files;
-    s->files = f;
-    return f;
-}
-
 static int truncate_file(struct store *s, struct store_file *f)
 {
     if (ftruncate(f->host, 0))
@@ -193,9 +238,12 @@ int store_open(struct store *s, const char *path, int flags, mode_t permissions,
     struct store_file *f = find(s, name);
     if (f && f->users && (flags & O_CREAT) && (flags & O_EXCL))
         return EEXIST;
+    bool is_known = f;
     if (!f)
         f = add(s, name);
     error = f->users ? 0 : open_host(s, f, flags, permissions);
+    if (error && !is_known)
+        lose_name(s, f);
     if (error)
         return error;
     f->users++;
@@ -218,8 +266,10 @@ void store_hold(struct store_file *f)
 void store_release(struct store_file *f)
 {
     assert(f->users > 0);
-    if (--f->users == 0)
-        close(f->host);
+    if (--f->users > 0)
+        return;
+    close(f->host);
+    free_if_lost(f);
 }
 
 /* --- names --- */
@@ -244,7 +294,7 @@ int store_unlink(struct store *s, const char *path)
         return error;
     struct store_file *f = find(s, name);
     if (f)
-        f->gone = true;
+        lose_name(s, f);
     return 0;
 }
 
@@ -258,13 +308,17 @@ static bool is_or_is_below(const char *path, const char *name)
 /* What had the name `to` is gone; the file `from`, or the files in that folder, have new names. */
 static void rename_files(struct store *s, const char *from, const char *to)
 {
-    for (struct store_file *f = s->files; f; f = f->next)
-        f->gone |= is_or_is_below(f->path, to);
+    for (struct store_file *f = s->files, *next; f; f = next) {
+        next = f->next;
+        if (!f->gone && is_or_is_below(f->path, to))
+            lose_name(s, f);
+    }
     for (struct store_file *f = s->files; f; f = f->next)
         if (!f->gone && is_or_is_below(f->path, from)) {
-            char *path = xasprintf("%s%s", to, f->path + strlen(from));
-            free(f->path);
-            f->path = path;
+            char *old = f->path;
+            tdelete(f, &s->by_path, compare);
+            put_path(s, f, xasprintf("%s%s", to, old + strlen(from)));
+            free(old);
         }
 }
 

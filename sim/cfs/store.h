@@ -1,9 +1,10 @@
 /* store.h - the bytes of /cfs: plain files in a folder of this computer, one for each file of the file
  * system.
  *
- * A store keeps a struct store_file for each file opened in this run, under its path within /cfs. The file
- * system reads and writes bytes here at the moment its I/O nodes do, and nowhere else: so what a program
- * finds depends on virtual time alone. Folders are made as files need them.
+ * A store keeps a struct store_file for each file opened in this run, under its path within /cfs, until the
+ * file has neither name nor users. The file system reads and writes bytes here at the moment its I/O nodes
+ * do, and nowhere else: so what a program finds depends on virtual time alone. Folders are made as files need
+ * them.
  */
 #ifndef CFS_STORE_H
 #define CFS_STORE_H
@@ -29,7 +30,7 @@ struct store_file {
     struct modes modes;
     struct dir_request
         *waiting; /* mode 2: calls whose turn has not come, in the order they came: operation.c */
-    struct store_file *next;
+    struct store_file *next, **link;
 };
 
 /* The folder dir is made if missing. dir NULL: a temporary folder, made when needed and removed by

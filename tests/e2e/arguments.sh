@@ -89,6 +89,8 @@ wrong "an option without its value" 64 "option '--json' requires an argument" ru
 wrong "no baseline" 2 'which baseline' check
 wrong "an engine that is none" 64 "not 'warp'" run --engine warp ring
 TOUCHSTONE_ENGINE=warp wrong "an engine that is none, in the environment" 64 "TOUCHSTONE_ENGINE .*not 'warp'" run ring
+(PATH=/nonexistent && run -n 2 --gdb 5 --gdb 0 ring)
+check "the last --gdb counts, also node 0" said 'gdb cannot be started'
 wrong "a trace to time 0" 64 "--trace-to takes a virtual time later than 0" run --trace t --trace-to 0 ring
 wrong "two results in one file" 64 "f.json has room for one result" run --json f.json --races f.json ring
 run -q --json /dev/null --deadlock /dev/null ring

@@ -82,6 +82,28 @@ static int folders(void)
     return good && unlink(inside_renamed) == 0 && remove(renamed) == 0;
 }
 
+static long size_of(int fd)
+{
+    struct stat st;
+    return fstat(fd, &st) == 0 ? (long)st.st_size : -1;
+}
+
+/* A file that has lost its name is another one than the next of that name. */
+static int lost_names(void)
+{
+    char text[8] = "";
+    int fd = open(name, O_RDWR), good = unlink(name) == 0 && fails(open(name, O_RDWR), ENOENT), other, third;
+    good = good && (other = open(name, O_RDWR | O_CREAT | O_EXCL, 0600)) >= 0 && size_of(other) == 0;
+    good = good && write(fd, "longer", 6) == 6 && size_of(fd) == 6 && write(other, "new", 3) == 3;
+    good = good && (third = creat(inside, 0600)) >= 0 && rename(name, inside) == 0 && size_of(third) == 0;
+    good = good && write(third, "12", 2) == 2 && close(third) == 0 && close(fd) == 0 && size_of(other) == 3;
+    good = good && (fd = open(inside, O_RDONLY)) >= 0 && unlink(inside) == 0 && close(other) == 0;
+    good = good && read(fd, text, 8) == 3 && !strcmp(text, "new") && close(fd) == 0 && remove(folder) == 0;
+    for (int i = 0; i < 20; i++)
+        good = good && close(creat(name, 0600)) == 0 && unlink(name) == 0;
+    return good && fails(unlink(name), ENOENT);
+}
+
 int main(void)
 {
     long me = mynode();
@@ -96,5 +118,6 @@ int main(void)
     rule("names that are too long", long_names());
     rule("a read that asks for more than there is", long_reads());
     rule("a folder's new name", folders());
-    return unlink(name);
+    rule("files that lose their names", lost_names());
+    return 0;
 }
