@@ -178,7 +178,7 @@ bool signatures_differ(const struct signature *a, const struct signature *b, cha
 {
     struct place p = begin(a), q = begin(b);
     size_t number = 1;
-    bool on = a->count && b->count;
+    bool on = a->count && b->count && a->bytes && b->bytes;
     while (on) {
         const struct signature_run *x = &a->list[p.run], *y = &b->list[q.run];
         if (!same_kind(x, y)) {

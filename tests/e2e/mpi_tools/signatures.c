@@ -42,7 +42,7 @@ static void start(MPI_Datatype type, int most, MPI_Datatype as)
 
 static void well(void)
 {
-    MPI_Datatype a = mixed(2, 0), b = mixed(1, 1), apart, many, text, precise;
+    MPI_Datatype a = mixed(2, 0), b = mixed(1, 1), apart, many, text, precise, nothing;
     int places[3] = {4, 0, 2};
     double packed[8];
     MPI_Type_indexed(3, (int[]){1, 2, 1}, places, MPI_DOUBLE, &apart);
@@ -52,6 +52,8 @@ static void well(void)
     MPI_Type_create_subarray(1, (int[]){9}, (int[]){4}, (int[]){2}, MPI_ORDER_C, MPI_CHAR, &text);
     MPI_Type_commit(&text);
     MPI_Type_create_f90_real(15, 307, &precise);
+    MPI_Type_contiguous(0, a, &nothing);
+    MPI_Type_commit(&nothing);
     move(1, apart, 7, MPI_DOUBLE);
     move(2, b, 2, many);
     move(1, many, 5, b);
@@ -61,6 +63,7 @@ static void well(void)
     move(3, precise, 3, MPI_DOUBLE_PRECISION);
     move(8, MPI_BYTE, 8, MPI_BYTE);
     move(0, MPI_INT, 8, MPI_DOUBLE);
+    move(1, nothing, 8, MPI_DOUBLE);
     start(MPI_DOUBLE, 2, MPI_DOUBLE);
     if (rank == 0) {
         int length = 0;
@@ -74,6 +77,7 @@ static void well(void)
     MPI_Type_free(&apart);
     MPI_Type_free(&many);
     MPI_Type_free(&text);
+    MPI_Type_free(&nothing);
     MPI_Type_free(&a);
     MPI_Type_free(&b);
 }
