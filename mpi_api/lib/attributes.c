@@ -50,16 +50,11 @@ int attribute_key(void *copy, void *drop, int *key, void *extra, bool takes_numb
     return MPI_SUCCESS;
 }
 
-static int no_key(int call, int key)
-{
-    return fail(NULL, call, MPI_ERR_KEYVAL, "%d is no attribute key, or has been freed", key);
-}
-
 int attribute_key_free(int call, int *key)
 {
     struct key *k = key_of(*key);
     if (!k)
-        return no_key(call, *key);
+        return fail(NULL, call, MPI_ERR_KEYVAL, "%s", attribute_why(MPI_ERR_KEYVAL));
     if (!k->freed)
         k->users--; /* else only attributes keep it */
     k->freed = true;
@@ -74,7 +69,7 @@ static struct attribute **find(struct attribute **list, int key)
     return list;
 }
 
-/* Ends an attribute, unless the key's function says no, which may change the list. */
+/* Ends an attribute, unless the key's function, which may change the list, says no. */
 static int delete_one(void *handle, struct attribute **list, int key)
 {
     struct attribute *a = *find(list, key);
@@ -103,15 +98,21 @@ int attribute_delete_all(void *handle, struct attribute **list)
     return MPI_SUCCESS;
 }
 
-int attribute_delete(int call, void *handle, struct attribute **list, int key)
+const char *attribute_why(int code)
 {
-    return key_of(key) ? delete_one(handle, list, key) : no_key(call, key);
+    return code == MPI_ERR_KEYVAL ? "the attribute key is none, or has been freed"
+                                  : "an attribute's delete function says no";
 }
 
-int attribute_set(int call, void *handle, struct attribute **list, int key, void *value)
+int attribute_delete(void *handle, struct attribute **list, int key)
+{
+    return key_of(key) ? delete_one(handle, list, key) : MPI_ERR_KEYVAL;
+}
+
+int attribute_set(void *handle, struct attribute **list, int key, void *value)
 {
     if (!key_of(key))
-        return no_key(call, key);
+        return MPI_ERR_KEYVAL;
     int code = delete_one(handle, list, key);
     if (code)
         return code;
@@ -122,10 +123,10 @@ int attribute_set(int call, void *handle, struct attribute **list, int key, void
     return MPI_SUCCESS;
 }
 
-int attribute_get(int call, struct attribute **list, int key, void *value, int *flag)
+int attribute_get(struct attribute **list, int key, void *value, int *flag)
 {
     if (!key_of(key))
-        return no_key(call, key);
+        return MPI_ERR_KEYVAL;
     struct attribute *a = *find(list, key);
     *flag = a != NULL;
     if (a)
@@ -202,18 +203,24 @@ CALL(Comm_free_keyval, (int *keyval))
     return attribute_key_free(CALL_Comm_free_keyval, keyval);
 }
 
+static int comm_told(struct comm *c, int call, int code)
+{
+    return code ? fail(c, call, code, "%s", attribute_why(code)) : MPI_SUCCESS;
+}
+
 CALL(Comm_set_attr, (MPI_Comm comm, int keyval, void *value))
 {
     struct comm *c = comm_of(comm);
-    return c ? attribute_set(CALL_Comm_set_attr, comm, &c->attributes, keyval, value)
-             : fail_comm(CALL_Comm_set_attr);
+    if (!c)
+        return fail_comm(CALL_Comm_set_attr);
+    return comm_told(c, CALL_Comm_set_attr, attribute_set(comm, &c->attributes, keyval, value));
 }
 
 /* Those that are there from the beginning: pointers to numbers. */
 static const int *own_attribute(int key)
 {
     static int tag_ub = 999999999, host = MPI_PROC_NULL, io = MPI_ANY_SOURCE, global = 1, size, code;
-    size = (int)numnodes(), code = MPI_ERR_LASTCODE;
+    size = (int)numnodes(), code = error_last_code();
     switch (key) {
     case MPI_TAG_UB:
         return &tag_ub;
@@ -238,9 +245,10 @@ CALL(Comm_get_attr, (MPI_Comm comm, int keyval, void *value, int *flag))
     const int *own = own_attribute(keyval);
     if (!c)
         return fail_comm(CALL_Comm_get_attr);
+    if (keyval == MPI_APPNUM)
+        return *flag = 0, MPI_SUCCESS;
     if (!own)
-        return keyval == MPI_APPNUM ? (*flag = 0, MPI_SUCCESS)
-                                    : attribute_get(CALL_Comm_get_attr, &c->attributes, keyval, value, flag);
+        return comm_told(c, CALL_Comm_get_attr, attribute_get(&c->attributes, keyval, value, flag));
     memcpy(value, &own, sizeof own);
     *flag = true;
     return MPI_SUCCESS;
@@ -251,7 +259,7 @@ CALL(Comm_delete_attr, (MPI_Comm comm, int keyval))
     struct comm *c = comm_of(comm);
     if (!c)
         return fail_comm(CALL_Comm_delete_attr);
-    return attribute_delete(CALL_Comm_delete_attr, comm, &c->attributes, keyval);
+    return comm_told(c, CALL_Comm_delete_attr, attribute_delete(comm, &c->attributes, keyval));
 }
 
 /* --- datatypes --- */
@@ -277,12 +285,17 @@ CALL(Type_free_keyval, (int *keyval))
     return attribute_key_free(CALL_Type_free_keyval, keyval);
 }
 
+static int type_told(int call, int code)
+{
+    return code ? fail(NULL, call, code, "%s", attribute_why(code)) : MPI_SUCCESS;
+}
+
 CALL(Type_set_attr, (MPI_Datatype type, int keyval, void *value))
 {
     struct type *t = type_of(type);
     if (!t)
         return type_missing(CALL_Type_set_attr);
-    return attribute_set(CALL_Type_set_attr, type, &t->attributes, keyval, value);
+    return type_told(CALL_Type_set_attr, attribute_set(type, &t->attributes, keyval, value));
 }
 
 CALL(Type_get_attr, (MPI_Datatype type, int keyval, void *value, int *flag))
@@ -290,7 +303,7 @@ CALL(Type_get_attr, (MPI_Datatype type, int keyval, void *value, int *flag))
     struct type *t = type_of(type);
     if (!t)
         return type_missing(CALL_Type_get_attr);
-    return attribute_get(CALL_Type_get_attr, &t->attributes, keyval, value, flag);
+    return type_told(CALL_Type_get_attr, attribute_get(&t->attributes, keyval, value, flag));
 }
 
 CALL(Type_delete_attr, (MPI_Datatype type, int keyval))
@@ -298,5 +311,5 @@ CALL(Type_delete_attr, (MPI_Datatype type, int keyval))
     struct type *t = type_of(type);
     if (!t)
         return type_missing(CALL_Type_delete_attr);
-    return attribute_delete(CALL_Type_delete_attr, type, &t->attributes, keyval);
+    return type_told(CALL_Type_delete_attr, attribute_delete(type, &t->attributes, keyval));
 }

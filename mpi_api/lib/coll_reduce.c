@@ -374,7 +374,7 @@ static int scan(const struct coll *o, const void *buf, void *into, int count, MP
 static int check_prefix(struct args *a)
 {
     if (a->o.c->remote)
-        return fail(a->o.c, a->o.call, MPI_ERR_COMM, "not for communicators of two groups");
+        return fail_groups(a->o.c, a->o.call);
     return check_reduction(a, a->count, true);
 }
 #define check_inclusive check_prefix

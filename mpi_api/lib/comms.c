@@ -50,6 +50,7 @@ void comm_end(struct comm *c)
     group_leave(c->local);
     group_leave(c->remote);
     topology_free(c->topology);
+    PMPI_Errhandler_free(&c->handler);
     free(c->name);
     free(c);
 }
@@ -273,6 +274,8 @@ CALL(Comm_create_group, (MPI_Comm comm, MPI_Group group, int tag, MPI_Comm *to))
         return fail_answer(c, CALL_Comm_create_group);
     if (!g)
         return fail(c, CALL_Comm_create_group, MPI_ERR_GROUP, "the group is null, or freed");
+    if (tag < 0)
+        return fail(c, CALL_Comm_create_group, MPI_ERR_TAG, "the tag %d is negative", tag);
     *to = MPI_COMM_NULL;
     if (g->rank < 0)
         return MPI_SUCCESS;
@@ -359,6 +362,8 @@ CALL(Comm_split_type, (MPI_Comm comm, int kind, int key, MPI_Info info, MPI_Comm
     (void)info;
     if (!c)
         return fail_comm(CALL_Comm_split_type);
+    if (kind != MPI_COMM_TYPE_SHARED && kind != MPI_UNDEFINED)
+        return fail(c, CALL_Comm_split_type, MPI_ERR_ARG, "there is no kind of part %d", kind);
     if (!to)
         return fail_answer(c, CALL_Comm_split_type);
     return PMPI_Comm_split(comm, kind == MPI_UNDEFINED ? MPI_UNDEFINED : c->local->rank, key, to);
@@ -412,7 +417,7 @@ CALL(Intercomm_create,
 {
     struct comm *c = comm_of(local), *b = NULL;
     if (!c || c->remote)
-        return fail_comm(CALL_Intercomm_create);
+        return fail_groups(c, CALL_Intercomm_create);
     if (!to)
         return fail_answer(c, CALL_Intercomm_create);
     const struct coll o = coll_of(c, CALL_Intercomm_create);
@@ -422,6 +427,11 @@ CALL(Intercomm_create,
     bool leads = o.rank == leader;
     if (leads && !(b = comm_of(bridge)))
         return fail_comm(CALL_Intercomm_create);
+    if (leads && (remote_leader < 0 || remote_leader >= b->peers->size))
+        return fail(b, CALL_Intercomm_create, MPI_ERR_RANK, "the other leader %d is not one of %d ranks",
+                    remote_leader, b->peers->size);
+    if (leads && tag < 0)
+        return fail(b, CALL_Intercomm_create, MPI_ERR_TAG, "the tag %d is negative", tag);
     struct offer own = {o.size, leads ? context_new() : 0, group_node(c->local, leader)}, theirs;
     if (leads)
         leaders_exchange(b, tag, remote_leader, &own, sizeof own, &theirs, sizeof theirs);

@@ -33,7 +33,9 @@ static const char *const texts[] = {
     [MPI_ERR_IN_STATUS] = "the error is in the statuses",
     [MPI_ERR_ACCESS] = "the file may not be used like this",
     [MPI_ERR_AMODE] = "invalid mode of opening a file",
+    [MPI_ERR_ASSERT] = "invalid assertion",
     [MPI_ERR_BAD_FILE] = "invalid name of a file",
+    [MPI_ERR_BASE] = "invalid address",
     [MPI_ERR_CONVERSION] = "data cannot be converted",
     [MPI_ERR_DUP_DATAREP] = "there is such a representation of data",
     [MPI_ERR_FILE_EXISTS] = "the file exists",
@@ -45,19 +47,24 @@ static const char *const texts[] = {
     [MPI_ERR_INFO] = "invalid info",
     [MPI_ERR_IO] = "an error of the file system",
     [MPI_ERR_KEYVAL] = "invalid attribute key",
+    [MPI_ERR_NAME] = "no such name of a service",
     [MPI_ERR_NO_MEM] = "no memory left",
     [MPI_ERR_NOT_SAME] = "an argument differs between ranks",
     [MPI_ERR_NO_SPACE] = "no space left",
     [MPI_ERR_NO_SUCH_FILE] = "no such file",
+    [MPI_ERR_PORT] = "invalid name of a port",
     [MPI_ERR_QUOTA] = "the quota is used up",
     [MPI_ERR_READ_ONLY] = "the file is for reading only",
-    [MPI_ERR_ASSERT] = "invalid assertion",
     [MPI_ERR_DISP] = "invalid unit of displacements",
     [MPI_ERR_LOCKTYPE] = "invalid kind of lock",
     [MPI_ERR_RMA_RANGE] = "outside of the window",
     [MPI_ERR_RMA_ATTACH] = "the memory cannot be attached",
+    [MPI_ERR_RMA_CONFLICT] = "accesses to the window are in conflict",
+    [MPI_ERR_RMA_SHARED] = "the memory cannot be shared",
     [MPI_ERR_RMA_SYNC] = "the window may not be used at this time",
     [MPI_ERR_RMA_FLAVOR] = "not for windows of this kind",
+    [MPI_ERR_SERVICE] = "invalid name of a service",
+    [MPI_ERR_SPAWN] = "processes cannot be spawned",
     [MPI_ERR_SIZE] = "invalid size",
     [MPI_ERR_WIN] = "invalid window",
     [MPI_ERR_UNSUPPORTED_DATAREP] = "no such representation of data",
@@ -105,6 +112,11 @@ int fail_comm(int call)
                          : "called before MPI_Init, or after MPI_Finalize");
 }
 
+int fail_groups(struct comm *c, int call)
+{
+    return c ? fail(c, call, MPI_ERR_COMM, "not for communicators of two groups") : fail_comm(call);
+}
+
 int fail_answer(struct comm *c, int call)
 {
     return fail(c, call, MPI_ERR_ARG, "the pointer to where the answer goes is null");
@@ -120,13 +132,16 @@ CALL(Comm_create_errhandler, (MPI_Comm_errhandler_function * function, MPI_Errha
     return MPI_SUCCESS;
 }
 
-void handler_set(MPI_Errhandler *of, MPI_Errhandler handler)
+int handler_set(int call, MPI_Errhandler *of, MPI_Errhandler handler)
 {
     struct errhandler *h = object_of(handler, ERRHANDLER);
+    if (!h && handler != MPI_ERRORS_ARE_FATAL && handler != MPI_ERRORS_RETURN && handler != MPI_ERRORS_ABORT)
+        return fail(NULL, call, MPI_ERR_ARG, "the error handler is null, or has been freed");
     if (h)
         h->object.users++;
     PMPI_Errhandler_free(of);
     *of = handler;
+    return MPI_SUCCESS;
 }
 
 MPI_Errhandler handler_get(MPI_Errhandler handler)
@@ -151,8 +166,7 @@ CALL(Comm_set_errhandler, (MPI_Comm comm, MPI_Errhandler handler))
     struct comm *c = comm_of(comm);
     if (!c)
         return fail_comm(CALL_Comm_set_errhandler);
-    handler_set(&c->handler, handler);
-    return MPI_SUCCESS;
+    return handler_set(CALL_Comm_set_errhandler, &c->handler, handler);
 }
 
 CALL(Comm_get_errhandler, (MPI_Comm comm, MPI_Errhandler *handler))
@@ -201,6 +215,11 @@ static struct added *added_of(int code)
     return code >= FIRST_ADDED && code < FIRST_ADDED + added_count ? &added[code - FIRST_ADDED] : NULL;
 }
 
+int error_last_code(void)
+{
+    return added_count ? FIRST_ADDED + added_count - 1 : MPI_ERR_LASTCODE;
+}
+
 CALL(Add_error_class, (int *class))
 {
     *class = add(0);
@@ -221,7 +240,7 @@ CALL(Add_error_string, (int code, const char *text))
         return fail(NULL, CALL_Add_error_string, MPI_ERR_ARG,
                     "%d is no error code that the program has added", code);
     free(a->text);
-    a->text = strdup(text);
+    a->text = strndup(text, MPI_MAX_ERROR_STRING - 1);
     return MPI_SUCCESS;
 }
 

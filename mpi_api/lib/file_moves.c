@@ -48,7 +48,7 @@ static char *data_of(const struct move *m, char **packed)
     if (!at && m->write)
         type_pack(m->buf, m->count, m->type, *packed);
     if (!at && m->write && m->f->external)
-        type_reverse(m->type, *packed, (size_t)m->count);
+        type_reverse(m->type, *packed, bytes_of(m));
     return at ? at : *packed;
 }
 
@@ -56,7 +56,7 @@ static char *data_of(const struct move *m, char **packed)
 static void data_come(const struct move *m, char *packed, size_t bytes)
 {
     if (packed && m->f->external)
-        type_reverse(m->type, packed, bytes / size_of(m->type));
+        type_reverse(m->type, packed, bytes);
     if (packed)
         type_unpack(packed, bytes, m->buf, m->count, m->type);
 }

@@ -121,7 +121,7 @@ CALL(File_open, (MPI_Comm comm, const char *name, int amode, MPI_Info info, MPI_
 {
     struct comm *c = comm_of(comm);
     if (!c || c->remote)
-        return fail_comm(CALL_File_open);
+        return fail_groups(c, CALL_File_open);
     const struct coll o = coll_of(c, CALL_File_open);
     struct file *f = object_new(FILE_OBJECT, sizeof *f);
     *file = MPI_FILE_NULL;
@@ -292,10 +292,7 @@ static MPI_Errhandler *handler_of(MPI_File file)
 CALL(File_set_errhandler, (MPI_File file, MPI_Errhandler handler))
 {
     MPI_Errhandler *of = handler_of(file);
-    if (!of)
-        return fail_no_file(CALL_File_set_errhandler);
-    handler_set(of, handler);
-    return MPI_SUCCESS;
+    return of ? handler_set(CALL_File_set_errhandler, of, handler) : fail_no_file(CALL_File_set_errhandler);
 }
 
 CALL(File_get_errhandler, (MPI_File file, MPI_Errhandler *handler))

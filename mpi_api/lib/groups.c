@@ -206,6 +206,8 @@ static int choose(int call, MPI_Group from, int count, const int ranks[], bool o
         return no_group(call);
     if (!group)
         return fail_answer(NULL, call);
+    if (count < 0)
+        return fail(NULL, call, MPI_ERR_ARG, "the count %d is negative", count);
     bool *given = calloc((size_t)f->size + 1, sizeof *given);
     for (int i = 0; i < count && !code; i++)
         code = mark(f, call, ranks[i], given);
@@ -233,21 +235,27 @@ CALL(Group_excl, (MPI_Group from, int count, const int ranks[], MPI_Group *group
     return choose(CALL_Group_excl, from, count, ranks, true, group);
 }
 
+/* Adds the ranks of a range to a list, one more than there is room for at most: then one is none, or given
+ * twice. */
+static int add_range(int *ranks, int k, int room, const int range[3])
+{
+    for (long r = range[0]; k <= room && (range[2] > 0 ? r <= range[1] : r >= range[1]); r += range[2])
+        ranks[k++] = (int)r;
+    return k;
+}
+
 static int choose_ranges(int call, MPI_Group from, int count, int ranges[][3], bool others, MPI_Group *group)
 {
-    int n = 0;
-    for (int i = 0; i < count; i++) {
-        int first = ranges[i][0], last = ranges[i][1], step = ranges[i][2];
-        if (!step)
-            return fail(NULL, call, MPI_ERR_ARG, "a stride of 0");
-        n += (last - first) / step >= 0 ? (last - first) / step + 1 : 0;
-    }
-    int *ranks = get_memory(((size_t)n + 1) * sizeof *ranks), k = 0;
+    const struct group *f = group_of(from);
+    if (!f)
+        return no_group(call);
     for (int i = 0; i < count; i++)
-        for (int r = ranges[i][0]; ranges[i][2] > 0 ? r <= ranges[i][1] : r >= ranges[i][1];
-             r += ranges[i][2])
-            ranks[k++] = r;
-    int code = choose(call, from, k, ranks, others, group);
+        if (!ranges[i][2])
+            return fail(NULL, call, MPI_ERR_ARG, "a stride of 0");
+    int *ranks = get_memory(((size_t)f->size + 1) * sizeof *ranks), k = 0;
+    for (int i = 0; i < count; i++)
+        k = add_range(ranks, k, f->size, ranges[i]);
+    int code = choose(call, from, count < 0 ? count : k, ranks, others, group);
     free(ranks);
     return code;
 }

@@ -44,6 +44,12 @@ CALL(Info_set, (MPI_Info info, const char *key, const char *value))
     struct info *i = info_of(info);
     if (!i)
         return no_info(CALL_Info_set);
+    if (!*key || strnlen(key, MPI_MAX_INFO_KEY) == MPI_MAX_INFO_KEY)
+        return fail(NULL, CALL_Info_set, MPI_ERR_INFO_KEY, "the key is empty, or longer than %d letters",
+                    MPI_MAX_INFO_KEY - 1);
+    if (strnlen(value, MPI_MAX_INFO_VAL) == MPI_MAX_INFO_VAL)
+        return fail(NULL, CALL_Info_set, MPI_ERR_INFO_VALUE, "the value is longer than %d letters",
+                    MPI_MAX_INFO_VAL - 1);
     struct pair **link = find(i, key);
     if (!*link) {
         *link = calloc(1, sizeof **link);
@@ -59,6 +65,8 @@ CALL(Info_get, (MPI_Info info, const char *key, int room, char *value, int *flag
     struct info *i = info_of(info);
     if (!i)
         return no_info(CALL_Info_get);
+    if (room < 0)
+        return fail(NULL, CALL_Info_get, MPI_ERR_ARG, "room for %d letters", room);
     const struct pair *p = *find(i, key);
     *flag = p != NULL;
     if (p) {
@@ -161,7 +169,7 @@ CALL(Info_dup, (MPI_Info info, MPI_Info *to))
 
 CALL(Info_free, (MPI_Info * info))
 {
-    struct info *i = info_of(*info);
+    struct info *i = object_of(*info, INFO); /* MPI_INFO_ENV is nobody's to free */
     if (!i)
         return no_info(CALL_Info_free);
     while (i->pairs)

@@ -124,11 +124,13 @@ void topology_free(struct topology *t);
 /* Tells the communicator's error handler (NULL: that of MPI_COMM_WORLD); what the call returns. */
 int fail(struct comm *c, int call, int code, const char *fmt, ...) __attribute__((format(printf, 4, 5)));
 int fail_comm(int call);                   /* the communicator is none */
+int fail_groups(struct comm *c, int call); /* the communicator is none, or has two groups */
 int fail_answer(struct comm *c, int call); /* the pointer to where the answer goes is null */
 /* As fail, by the error handler of another object; handle: where its handle is. */
 int fail_by(MPI_Errhandler handler, void *handle, int call, int code, const char *fmt, va_list ap);
+int error_last_code(void); /* the largest: the program may have added some */
 /* An object's error handler is set; given to the program, which frees it; called by the program. */
-void handler_set(MPI_Errhandler *of, MPI_Errhandler handler);
+int handler_set(int call, MPI_Errhandler *of, MPI_Errhandler handler);
 MPI_Errhandler handler_get(MPI_Errhandler handler);
 int handler_call(int call, MPI_Errhandler handler, void *handle, int code);
 
@@ -141,10 +143,12 @@ int attribute_key_free(int call, int *key);
  * them. */
 int info_keep(MPI_Info *own, MPI_Info info);
 int info_give(MPI_Info own, MPI_Info *info);
-int attribute_set(int call, void *handle, struct attribute **list, int key, void *value);
-int attribute_get(int call, struct attribute **list, int key, void *value, int *flag);
-int attribute_delete(int call, void *handle, struct attribute **list, int key);
+/* These return an error that the caller tells the handler of its object of; and the text for that. */
+int attribute_set(void *handle, struct attribute **list, int key, void *value);
+int attribute_get(struct attribute **list, int key, void *value, int *flag);
+int attribute_delete(void *handle, struct attribute **list, int key);
 int attribute_delete_all(void *handle, struct attribute **list);
+const char *attribute_why(int code);
 /* For Fortran: what was set last is a number; what C's call has got, as a number. */
 void attribute_last_is_number(struct attribute *list);
 MPI_Aint attribute_number(const struct attribute *list, const void *value);
@@ -198,8 +202,8 @@ static inline void *type_together(const void *buf, int count, MPI_Datatype t, si
     *bytes = (size_t)count * b->bytes;
     return (void *)(uintptr_t)buf;
 }
-/* Reverses the bytes of each element of `count` packed ones: external32's order. */
-void type_reverse(MPI_Datatype t, char *packed, size_t count);
+/* Reverses the bytes of each number of packed elements: external32's order. */
+void type_reverse(MPI_Datatype t, char *packed, size_t bytes);
 /* Copies elements of one type to those of another. */
 void type_copy(const void *from, int count, MPI_Datatype t, void *to, int room, MPI_Datatype as);
 

@@ -4,6 +4,18 @@
 
 /* --- graphs --- */
 
+/* Lists of ranks, which may have MPI_PROC_NULL. */
+static int check_ranks(const struct coll *o, int count, const int ranks[])
+{
+    if (count < 0)
+        return fail(o->c, o->call, MPI_ERR_ARG, "the count %d is negative", count);
+    for (int i = 0; i < count; i++)
+        if (ranks[i] != MPI_PROC_NULL && (ranks[i] < 0 || ranks[i] >= o->size))
+            return fail(o->c, o->call, MPI_ERR_RANK,
+                        "there is no rank %d in the communicator (ranks are 0 to %d)", ranks[i], o->size - 1);
+    return MPI_SUCCESS;
+}
+
 CALL(Dist_graph_create_adjacent,
      (MPI_Comm comm, int ins, const int sources[], const int *in_weights, int outs, const int dests[],
       const int *out_weights, MPI_Info info, int reorder, MPI_Comm *to))
@@ -11,8 +23,12 @@ CALL(Dist_graph_create_adjacent,
     struct comm *c = comm_of(comm);
     (void)info, (void)reorder;
     if (!c || c->remote)
-        return fail_comm(CALL_Dist_graph_create_adjacent);
+        return fail_groups(c, CALL_Dist_graph_create_adjacent);
     const struct coll o = coll_of(c, CALL_Dist_graph_create_adjacent);
+    int code = check_ranks(&o, ins, sources);
+    code = code ? code : check_ranks(&o, outs, dests);
+    if (code)
+        return code;
     struct topology *t = topology_of_neighbors(ins, sources, in_weights, outs, dests, out_weights);
     return topology_make(&o, o.size, t, to);
 }
@@ -65,10 +81,15 @@ CALL(Dist_graph_create, (MPI_Comm comm, int count, const int sources[], const in
     int edges = 0, total, n = 0;
     (void)info, (void)reorder;
     if (!c || c->remote)
-        return fail_comm(CALL_Dist_graph_create);
+        return fail_groups(c, CALL_Dist_graph_create);
     const struct coll o = coll_of(c, CALL_Dist_graph_create);
-    for (int i = 0; i < count; i++)
+    int code = check_ranks(&o, count, sources);
+    for (int i = 0; i < count && !code; i++) {
+        code = check_ranks(&o, degrees[i], dests + edges);
         edges += degrees[i];
+    }
+    if (code)
+        return code;
     struct edge *own = get_memory(((size_t)edges + 1) * sizeof *own);
     for (int i = 0; i < count; i++)
         for (int k = 0; k < degrees[i]; k++, n++)

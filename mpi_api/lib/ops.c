@@ -259,6 +259,8 @@ void op_leave(MPI_Op op)
 
 CALL(Op_create, (MPI_User_function * function, int commutes, MPI_Op *op))
 {
+    if (!function)
+        return fail(NULL, CALL_Op_create, MPI_ERR_ARG, "the function is a null pointer");
     struct op *o = object_new(OP, sizeof *o);
     o->function = function, o->commutes = commutes != 0;
     *op = HANDLE(MPI_Op, o);
@@ -285,6 +287,10 @@ CALL(Op_commutative, (MPI_Op op, int *commutes))
 CALL(Reduce_local, (const void *in, void *inout, int count, MPI_Datatype type, MPI_Op op))
 {
     const char *refuses = op_refuses(op, type);
+    if (count < 0)
+        return fail(NULL, CALL_Reduce_local, MPI_ERR_COUNT, "the count %d is negative", count);
+    if (!type_of(type))
+        return type_missing(CALL_Reduce_local);
     if (refuses)
         return fail(NULL, CALL_Reduce_local, MPI_ERR_OP, "%s", refuses);
     if (in == MPI_IN_PLACE || inout == MPI_IN_PLACE)

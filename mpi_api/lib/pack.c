@@ -78,7 +78,7 @@ CALL(Pack,
     if (!type_is_valid(type))
         return fail(c, CALL_Pack, MPI_ERR_TYPE, "the datatype is null, freed, or not committed");
     size_t bytes = (size_t)count * size_of(type);
-    if (count < 0 || *position < 0 || (size_t)*position + bytes > (size_t)room)
+    if (count < 0 || *position < 0 || room < 0 || (size_t)*position + bytes > (size_t)room)
         return fail(c, CALL_Pack, count < 0 ? MPI_ERR_COUNT : MPI_ERR_TRUNCATE,
                     "%d elements of %zu bytes do not fit into %d bytes after position %d", count,
                     size_of(type), room, *position);
@@ -96,7 +96,7 @@ CALL(Unpack,
     if (!type_is_valid(type))
         return fail(c, CALL_Unpack, MPI_ERR_TYPE, "the datatype is null, freed, or not committed");
     size_t bytes = (size_t)count * size_of(type);
-    if (count < 0 || *position < 0 || (size_t)*position + bytes > (size_t)size)
+    if (count < 0 || *position < 0 || size < 0 || (size_t)*position + bytes > (size_t)size)
         return fail(c, CALL_Unpack, count < 0 ? MPI_ERR_COUNT : MPI_ERR_TRUNCATE,
                     "there are fewer than %d elements of %zu bytes in %d bytes after position %d", count,
                     size_of(type), size, *position);
@@ -112,35 +112,48 @@ CALL(Pack_size, (int count, MPI_Datatype type, MPI_Comm comm, int *size))
         return fail_comm(CALL_Pack_size);
     if (!type_of(type))
         return fail(c, CALL_Pack_size, MPI_ERR_TYPE, "the datatype is null, or freed");
-    *size = count * (int)size_of(type);
+    if (count < 0)
+        return fail(c, CALL_Pack_size, MPI_ERR_COUNT, "the count %d is negative", count);
+    size_t bytes = (size_t)count * size_of(type);
+    *size = bytes > INT_MAX ? MPI_UNDEFINED : (int)bytes;
     return MPI_SUCCESS;
 }
 
 /* --- in the order of bytes that all computers agree on: each element's highest first --- */
 
-void type_reverse(MPI_Datatype handle, char *bytes, size_t count)
+static void reverse(char *number, size_t bytes)
 {
-    const struct type *t = type_of(handle);
-    for (size_t i = 0; i < count; i++)
-        for (int k = 0; k < t->runs; k++)
-            for (size_t done = 0; done < t->run[k].bytes;
-                 done += (size_t)t->run[k].unit, bytes += t->run[k].unit)
-                for (int low = 0, high = t->run[k].unit - 1; low < high; low++, high--) {
-                    char c = bytes[low];
-                    bytes[low] = bytes[high], bytes[high] = c;
-                }
+    for (size_t low = 0, high = bytes - 1; low < high; low++, high--) {
+        char c = number[low];
+        number[low] = number[high], number[high] = c;
+    }
 }
 
-static int check_external(int call, const char *name, MPI_Datatype type)
+void type_reverse(MPI_Datatype handle, char *packed, size_t bytes)
+{
+    const struct type *t = type_of(handle);
+    for (int k = 0; bytes; k = k + 1 < t->runs ? k + 1 : 0) {
+        const struct run *r = &t->run[k];
+        size_t some = r->bytes < bytes ? r->bytes : bytes;
+        size_t number = (size_t)(r->unit < 0 ? -r->unit / 2 : r->unit);
+        for (size_t at = 0; at + number <= some; at += number)
+            reverse(packed + at, number);
+        packed += some, bytes -= some;
+    }
+}
+
+static int check_external(int call, const char *name, int count, MPI_Datatype type)
 {
     if (strcmp(name, "external32") != 0)
         return fail(NULL, call, MPI_ERR_ARG, "there is the representation external32 only");
+    if (count < 0)
+        return fail(NULL, call, MPI_ERR_COUNT, "the count %d is negative", count);
     return type_of(type) ? MPI_SUCCESS : type_missing(call);
 }
 
 CALL(Pack_external_size, (const char name[], int count, MPI_Datatype type, MPI_Aint *size))
 {
-    int code = check_external(CALL_Pack_external_size, name, type);
+    int code = check_external(CALL_Pack_external_size, name, count, type);
     if (!code)
         *size = count * (MPI_Aint)size_of(type);
     return code;
@@ -149,15 +162,15 @@ CALL(Pack_external_size, (const char name[], int count, MPI_Datatype type, MPI_A
 CALL(Pack_external, (const char name[], const void *buf, int count, MPI_Datatype type, void *into,
                      MPI_Aint room, MPI_Aint *position))
 {
-    int code = check_external(CALL_Pack_external, name, type);
+    int code = check_external(CALL_Pack_external, name, count, type);
     if (code)
         return code;
     MPI_Aint bytes = count * (MPI_Aint)size_of(type);
-    if (*position + bytes > room)
-        return fail(NULL, CALL_Pack_external, MPI_ERR_TRUNCATE, "there is no room for %ld bytes",
-                    (long)bytes);
+    if (*position < 0 || *position + bytes > room)
+        return fail(NULL, CALL_Pack_external, MPI_ERR_TRUNCATE,
+                    "there is no room for %ld bytes after position %ld", (long)bytes, (long)*position);
     type_pack(buf, count, type, (char *)into + *position);
-    type_reverse(type, (char *)into + *position, (size_t)count);
+    type_reverse(type, (char *)into + *position, (size_t)bytes);
     *position += bytes;
     return MPI_SUCCESS;
 }
@@ -165,16 +178,16 @@ CALL(Pack_external, (const char name[], const void *buf, int count, MPI_Datatype
 CALL(Unpack_external, (const char name[], const void *from, MPI_Aint size, MPI_Aint *position, void *buf,
                        int count, MPI_Datatype type))
 {
-    int code = check_external(CALL_Unpack_external, name, type);
+    int code = check_external(CALL_Unpack_external, name, count, type);
     if (code)
         return code;
     MPI_Aint bytes = count * (MPI_Aint)size_of(type);
-    if (*position + bytes > size)
-        return fail(NULL, CALL_Unpack_external, MPI_ERR_TRUNCATE, "fewer than %ld bytes are there",
-                    (long)bytes);
+    if (*position < 0 || *position + bytes > size)
+        return fail(NULL, CALL_Unpack_external, MPI_ERR_TRUNCATE,
+                    "fewer than %ld bytes are there after position %ld", (long)bytes, (long)*position);
     char *copy = get_memory((size_t)bytes);
     memcpy(copy, (const char *)from + *position, (size_t)bytes);
-    type_reverse(type, copy, (size_t)count);
+    type_reverse(type, copy, (size_t)bytes);
     type_unpack(copy, (size_t)bytes, buf, count, type);
     free(copy);
     *position += bytes;
@@ -202,13 +215,13 @@ static int get_elements(int call, const MPI_Status *status, MPI_Datatype type, M
         return type_missing(call);
     size_t bytes = status_bytes(status), in_one = 0, n = 0;
     for (int k = 0; k < t->runs; k++)
-        in_one += t->run[k].bytes / (size_t)t->run[k].unit;
+        in_one += t->run[k].bytes / (size_t)abs(t->run[k].unit);
     if (t->size) {
         n = bytes / t->size * in_one;
         bytes %= t->size;
     }
     for (int k = 0; bytes && k < t->runs; k++) {
-        size_t some = t->run[k].bytes < bytes ? t->run[k].bytes : bytes, unit = (size_t)t->run[k].unit;
+        size_t some = t->run[k].bytes < bytes ? t->run[k].bytes : bytes, unit = (size_t)abs(t->run[k].unit);
         n += some / unit;
         bytes -= some;
         if (some % unit)

@@ -241,6 +241,20 @@ RUN_OFTEN static int begin(struct transfer *t, bool sends, MPI_Request *request)
     return MPI_SUCCESS;
 }
 
+/* One that has no room ends here; another is done at once. */
+static RUN_SELDOM int begin_buffered(struct transfer *t, MPI_Request *request)
+{
+    int code = transfer_check(t, true);
+    code = code ? code : buffered_send(t);
+    if (code)
+        return code;
+    struct request *r = transfer_begin(t, true);
+    r->active = true;
+    status_empty(&r->status);
+    *request = HANDLE(MPI_Request, r);
+    return MPI_SUCCESS;
+}
+
 static int prepare(struct transfer *t, bool sends, MPI_Request *request)
 {
     int code = transfer_check(t, sends);
@@ -268,7 +282,7 @@ static int prepare(struct transfer *t, bool sends, MPI_Request *request)
                  MPI_Request *request))                                                                      \
     {                                                                                                        \
         struct transfer t = {CALL_##iname, buf, count, type, dest, tag, comm, mode, NULL};                   \
-        return begin(&t, true, request);                                                                     \
+        return mode == BUFFERED ? begin_buffered(&t, request) : begin(&t, true, request);                    \
     }                                                                                                        \
     CALL(name##_init, (const void *buf, int count, MPI_Datatype type, int dest, int tag, MPI_Comm comm,      \
                        MPI_Request *request))                                                                \

@@ -97,6 +97,10 @@ static int receive(int call, void *buf, int count, MPI_Datatype type, MPI_Messag
         return fail(NULL, call, MPI_ERR_REQUEST, "the message is null, or has been received");
     struct transfer t = {call, buf, count, type, MPI_PROC_NULL, 0, MPI_COMM_NULL, STANDARD, NULL};
     t.c = nobody ? &comm_world : m->comm;
+    if (count < 0)
+        return fail(t.c, call, MPI_ERR_COUNT, "the count %d is negative", count);
+    if (!type_is_valid(type))
+        return fail(t.c, call, MPI_ERR_TYPE, "the datatype is null, freed, or not committed");
     struct request *r = transfer_begin(&t, false);
     r->active = true;
     status_set(&r->status, MPI_PROC_NULL, MPI_ANY_TAG, 0);

@@ -1,4 +1,5 @@
 /* topologies.c - grids and graphs of ranks. Ranks are not reordered: a rank is where its node is. */
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include "topologies.h"
@@ -49,7 +50,8 @@ struct topology *topology_copy(const struct topology *t)
         return grid_new(t->dims, t->sides, t->periods);
     if (t->kind == MPI_GRAPH)
         return graph_new(t->nodes, t->ends, t->edges);
-    return topology_of_neighbors(t->edge_count, t->edges, t->in_weights, t->outs, t->dests, t->out_weights);
+    return topology_of_neighbors(t->edge_count, t->edges, t->weighted ? t->in_weights : MPI_UNWEIGHTED,
+                                 t->outs, t->dests, t->out_weights);
 }
 
 void topology_free(struct topology *t)
@@ -107,28 +109,32 @@ static bool find_sides(int n, int dims, int limit, int sides[])
 
 CALL(Dims_create, (int nodes, int dims, int sides[]))
 {
-    int given = 1, open = 0, found[dims + 1], n = 0;
+    int open = 0, n = 0;
+    long given = 1;
+    if (nodes < 1 || dims < 0)
+        return fail(NULL, CALL_Dims_create, MPI_ERR_DIMS, "%d nodes in %d dimensions", nodes, dims);
     for (int d = 0; d < dims; d++) {
         if (sides[d] < 0)
             return fail(NULL, CALL_Dims_create, MPI_ERR_DIMS, "side %d is %d", d, sides[d]);
-        if (sides[d])
-            given *= sides[d];
+        given *= sides[d] && given <= nodes ? sides[d] : 1;
         open += !sides[d];
     }
     if (nodes % given)
         return fail(NULL, CALL_Dims_create, MPI_ERR_DIMS,
-                    "%d nodes are no multiple of the %d that the given sides make", nodes, given);
-    find_sides(nodes / given, open, nodes, found);
+                    "%d nodes are no multiple of the %ld that the given sides make", nodes, given);
+    int found[open + 1];
+    find_sides(nodes / (int)given, open, nodes, found);
     for (int d = 0; d < dims; d++)
         if (!sides[d])
             sides[d] = found[n++];
     return MPI_SUCCESS;
 }
 
-static int ranks_of(int dims, const int sides[])
+/* (Of more than there can be, as many as there are when they become too many.) */
+static long ranks_of(int dims, const int sides[])
 {
-    int ranks = 1;
-    for (int d = 0; d < dims; d++)
+    long ranks = 1;
+    for (int d = 0; d < dims && ranks <= INT_MAX; d++)
         ranks *= sides[d];
     return ranks;
 }
@@ -159,16 +165,16 @@ CALL(Cart_create,
     struct comm *c = comm_of(comm);
     (void)reorder;
     if (!c || c->remote)
-        return fail_comm(CALL_Cart_create);
+        return fail_groups(c, CALL_Cart_create);
     const struct coll o = coll_of(c, CALL_Cart_create);
     *to = MPI_COMM_NULL;
     for (int d = 0; d < dims; d++)
         if (sides[d] < 1)
             return fail(o.c, CALL_Cart_create, MPI_ERR_DIMS, "side %d of the grid is %d", d, sides[d]);
     if (dims < 0 || ranks_of(dims, sides) > o.size)
-        return fail(o.c, CALL_Cart_create, MPI_ERR_DIMS, "the grid has %d ranks, the communicator %d",
+        return fail(o.c, CALL_Cart_create, MPI_ERR_DIMS, "the grid has %ld ranks, the communicator %d",
                     ranks_of(dims, sides), o.size);
-    return topology_make(&o, ranks_of(dims, sides), grid_new(dims, sides, periods), to);
+    return topology_make(&o, (int)ranks_of(dims, sides), grid_new(dims, sides, periods), to);
 }
 
 void topology_coords(const struct topology *t, int rank, int coords[])
@@ -299,11 +305,15 @@ CALL(Graph_create, (MPI_Comm comm, int nodes, const int ends[], const int edges[
     struct comm *c = comm_of(comm);
     (void)reorder;
     if (!c || c->remote)
-        return fail_comm(CALL_Graph_create);
+        return fail_groups(c, CALL_Graph_create);
     const struct coll o = coll_of(c, CALL_Graph_create);
     if (nodes < 0 || nodes > o.size)
         return fail(o.c, CALL_Graph_create, MPI_ERR_ARG, "the graph has %d nodes, the communicator %d ranks",
                     nodes, o.size);
+    for (int i = 0; i < nodes; i++)
+        if (ends[i] < (i ? ends[i - 1] : 0))
+            return fail(o.c, CALL_Graph_create, MPI_ERR_ARG, "node %d's edges end before they begin, at %d",
+                        i, ends[i]);
     for (int i = 0; nodes && i < ends[nodes - 1]; i++)
         if (edges[i] < 0 || edges[i] >= nodes)
             return fail(o.c, CALL_Graph_create, MPI_ERR_ARG,

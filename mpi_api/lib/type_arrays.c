@@ -9,6 +9,13 @@ static void drop_inner(struct type *t)
     free(t);
 }
 
+static int check_array(int call, int dims, int order)
+{
+    if (dims > 0 && (order == MPI_ORDER_C || order == MPI_ORDER_FORTRAN))
+        return MPI_SUCCESS;
+    return fail(NULL, call, MPI_ERR_ARG, "%d dimensions, in order %d", dims, order);
+}
+
 /* A block of an array: from the dimension that varies fastest on, each makes a row of what is below it. */
 CALL(Type_create_subarray, (int dims, const int sizes[], const int subsizes[], const int starts[], int order,
                             MPI_Datatype old, MPI_Datatype *type))
@@ -16,14 +23,18 @@ CALL(Type_create_subarray, (int dims, const int sizes[], const int subsizes[], c
     const struct type *o = type_of(old);
     if (!o)
         return type_missing(CALL_Type_create_subarray);
+    int code = check_array(CALL_Type_create_subarray, dims, order);
+    if (code)
+        return code;
+    for (int d = 0; d < dims; d++)
+        if (subsizes[d] < 1 || starts[d] < 0 || starts[d] > (long)sizes[d] - subsizes[d])
+            return fail(NULL, CALL_Type_create_subarray, MPI_ERR_ARG,
+                        "dimension %d has %d elements; %d from %d on are asked for", d, sizes[d], subsizes[d],
+                        starts[d]);
     MPI_Aint step = type_extent(o), at = 0, whole = step;
     struct type *inner = NULL;
     for (int k = 0; k < dims; k++) {
         int d = order == MPI_ORDER_FORTRAN ? k : dims - 1 - k, room = 0;
-        if (sizes[d] < 1 || subsizes[d] < 1 || starts[d] < 0 || starts[d] + subsizes[d] > sizes[d])
-            return fail(NULL, CALL_Type_create_subarray, MPI_ERR_ARG,
-                        "dimension %d has %d elements; %d from %d on are asked for", d, sizes[d], subsizes[d],
-                        starts[d]);
         struct type *t = type_new();
         for (int i = 0; i < subsizes[d]; i++)
             type_add(t, &room, inner ? inner : o, 1, i * whole);
@@ -62,6 +73,36 @@ static struct type *distributed(const struct type *inner, MPI_Aint step, int siz
     return t;
 }
 
+/* What is wrong with a dimension of a distributed array: an error. */
+static int check_distribution(int d, int size, int kind, int block, int parts)
+{
+    bool none = kind == MPI_DISTRIBUTE_NONE, whole = kind == MPI_DISTRIBUTE_BLOCK;
+    bool known = none || whole || kind == MPI_DISTRIBUTE_CYCLIC;
+    bool chosen = none || block == MPI_DISTRIBUTE_DFLT_DARG;
+    if (known && size > 0 && parts > 0 && (!none || parts == 1) &&
+        (chosen || (block > 0 && (!whole || (long)block * parts >= size))))
+        return MPI_SUCCESS;
+    return fail(NULL, CALL_Type_create_darray, MPI_ERR_ARG,
+                "dimension %d: %d elements cannot be shared out in kind %d, by blocks of %d, among %d", d,
+                size, kind, block, parts);
+}
+
+static int check_darray(int ranks, int rank, int dims, const int sizes[], const int kinds[],
+                        const int blocks[], const int grid[])
+{
+    long parts = 1;
+    for (int d = 0; d < dims; d++) {
+        int code = check_distribution(d, sizes[d], kinds[d], blocks[d], grid[d]);
+        if (code)
+            return code;
+        parts = parts > ranks ? parts : parts * grid[d];
+    }
+    if (parts == ranks && rank >= 0 && rank < ranks)
+        return MPI_SUCCESS;
+    return fail(NULL, CALL_Type_create_darray, MPI_ERR_ARG, "rank %d of %d, which the grid does not have",
+                rank, ranks);
+}
+
 CALL(Type_create_darray,
      (int ranks, int rank, int dims, const int sizes[], const int kinds[], const int blocks[],
       const int grid[], int order, MPI_Datatype old, MPI_Datatype *type))
@@ -69,6 +110,10 @@ CALL(Type_create_darray,
     const struct type *o = type_of(old);
     if (!o)
         return type_missing(CALL_Type_create_darray);
+    int code = check_array(CALL_Type_create_darray, dims, order);
+    code = code ? code : check_darray(ranks, rank, dims, sizes, kinds, blocks, grid);
+    if (code)
+        return code;
     MPI_Aint step = type_extent(o);
     struct type *inner = NULL;
     int coords[dims + 1], left = rank, room = 0;

@@ -155,6 +155,15 @@ CALL(Type_create_hvector, (int count, int length, MPI_Aint stride, MPI_Datatype 
     return MPI_SUCCESS;
 }
 
+/* The first negative one of the lengths of blocks; 0: there is none. */
+static int negative(int count, const int lengths[])
+{
+    for (int i = 0; i < count; i++)
+        if (lengths[i] < 0)
+            return lengths[i];
+    return 0;
+}
+
 /* Blocks at places: of one length if lengths is NULL; places in elements, or in bytes. */
 struct places {
     int count, length;
@@ -170,8 +179,9 @@ static int indexed(int call, const struct places *p, MPI_Datatype old, int combi
         return type_missing(call);
     if (!type)
         return fail_answer(NULL, call);
-    if (p->count < 0)
-        return bad_count(call, p->count);
+    int wrong = p->count < 0 ? p->count : p->lengths ? negative(p->count, p->lengths) : p->length;
+    if (wrong < 0)
+        return bad_count(call, wrong);
     struct type *t = type_new();
     type_made_of(t, 1 + (p->lengths ? p->count : 1) + (p->elements ? p->count : 0),
                  p->elements ? 0 : p->count, 1);
@@ -223,8 +233,9 @@ CALL(Type_create_struct,
      (int count, const int lengths[], const MPI_Aint at[], const MPI_Datatype types[], MPI_Datatype *type))
 {
     int room = 0;
-    if (count < 0)
-        return bad_count(CALL_Type_create_struct, count);
+    int wrong = count < 0 ? count : negative(count, lengths);
+    if (wrong)
+        return bad_count(CALL_Type_create_struct, wrong);
     for (int i = 0; i < count; i++)
         if (!type_of(types[i]))
             return type_missing(CALL_Type_create_struct);
@@ -276,9 +287,9 @@ CALL(Type_dup, (MPI_Datatype old, MPI_Datatype *type))
     *type = type_finish(t, MPI_COMBINER_DUP, false);
     t->committed = o->committed;
     code = type_copy_attributes(o, t);
-    if (code) {
-        type_leave(*type);
-        *type = MPI_DATATYPE_NULL;
-    }
-    return code;
+    if (!code)
+        return MPI_SUCCESS;
+    type_leave(*type);
+    *type = MPI_DATATYPE_NULL;
+    return fail(NULL, CALL_Type_dup, code, "an attribute's copy function says no");
 }

@@ -17,11 +17,20 @@ static MPI_Datatype element_of(MPI_Datatype handle)
     return element;
 }
 
+static const char *why_not_compared(MPI_Datatype type)
+{
+    const struct basic *b = type_basic(type);
+    bool may = b && (b->class == WHOLE || b->class == NATURAL || b->class == LOGICAL || b->class == BITS);
+    return may ? NULL : "what is compared is an integer, a logical or a byte";
+}
+
 /* Elements that are combined are of one type of MPI's own. */
 static const char *why_not(struct access *a)
 {
+    if (a->compare)
+        return why_not_compared(a->their_type);
     if (a->op == MPI_REPLACE || a->op == MPI_NO_OP)
-        return a->compare && !type_basic(a->their_type) ? "the datatype is not one of MPI's own" : NULL;
+        return NULL;
     a->element = element_of(a->their_type);
     if (a->element == MPI_DATATYPE_NULL || element_of(a->type) != a->element)
         return "the elements are not all of one datatype of MPI's own";
@@ -101,8 +110,9 @@ static int begin(MPI_Win win, struct access *a)
 static int begin_and_wait(MPI_Win win, struct access *a, MPI_Request *request)
 {
     struct win *w = win_of(win);
-    if (w && a->rank != MPI_PROC_NULL && !passive_may(w, a->rank))
-        return no_epoch(w, a);
+    if (w && a->rank >= 0 && a->rank < w->comm->local->size && !passive_may(w, a->rank))
+        return fail_win(w, a->call, MPI_ERR_RMA_SYNC,
+                        "rank %d is accessed with a request before MPI_Win_lock", a->rank);
     int code = begin(win, a);
     if (code)
         return code;

@@ -38,7 +38,7 @@ int win_check_idle(struct win *w, int call)
 static int check(struct comm *c, int call, MPI_Aint size, int unit)
 {
     if (!c || c->remote)
-        return fail_comm(call);
+        return fail_groups(c, call);
     if (size < 0)
         return fail(c, call, MPI_ERR_SIZE, "a window of %ld bytes", (long)size);
     return unit < 1 ? fail(c, call, MPI_ERR_DISP, "a unit of %d bytes", unit) : MPI_SUCCESS;
@@ -233,18 +233,25 @@ CALL(Win_free_keyval, (int *keyval))
     return attribute_key_free(CALL_Win_free_keyval, keyval);
 }
 
+static int told(struct win *w, int call, int code)
+{
+    return code ? fail_win(w, call, code, "%s", attribute_why(code)) : MPI_SUCCESS;
+}
+
 CALL(Win_set_attr, (MPI_Win win, int keyval, void *value))
 {
     struct win *w = win_of(win);
-    return w ? attribute_set(CALL_Win_set_attr, win, &w->attributes, keyval, value)
-             : fail_no_win(CALL_Win_set_attr);
+    if (!w)
+        return fail_no_win(CALL_Win_set_attr);
+    return told(w, CALL_Win_set_attr, attribute_set(win, &w->attributes, keyval, value));
 }
 
 CALL(Win_delete_attr, (MPI_Win win, int keyval))
 {
     struct win *w = win_of(win);
-    return w ? attribute_delete(CALL_Win_delete_attr, win, &w->attributes, keyval)
-             : fail_no_win(CALL_Win_delete_attr);
+    if (!w)
+        return fail_no_win(CALL_Win_delete_attr);
+    return told(w, CALL_Win_delete_attr, attribute_delete(win, &w->attributes, keyval));
 }
 
 /* The base is the pointer itself, the others are pointers to numbers. */
@@ -260,7 +267,7 @@ CALL(Win_get_attr, (MPI_Win win, int keyval, void *value, int *flag))
                       : keyval == MPI_WIN_CREATE_FLAVOR ? (void *)&w->flavor
                                                         : &model;
     if (keyval < MPI_WIN_BASE || keyval > MPI_WIN_MODEL)
-        return attribute_get(CALL_Win_get_attr, &w->attributes, keyval, value, flag);
+        return told(w, CALL_Win_get_attr, attribute_get(&w->attributes, keyval, value, flag));
     memcpy(value, &own, sizeof own);
     *flag = true;
     return MPI_SUCCESS;
@@ -278,8 +285,7 @@ CALL(Win_set_errhandler, (MPI_Win win, MPI_Errhandler handler))
     struct win *w = win_of(win);
     if (!w)
         return fail_no_win(CALL_Win_set_errhandler);
-    handler_set(&w->handler, handler);
-    return MPI_SUCCESS;
+    return handler_set(CALL_Win_set_errhandler, &w->handler, handler);
 }
 
 CALL(Win_get_errhandler, (MPI_Win win, MPI_Errhandler *handler))

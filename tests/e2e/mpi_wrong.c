@@ -1,6 +1,7 @@
 /* mpi_wrong.c - wrong calls of MPI, and calls at the wrong time, each by a name. mpi_wrong NAME makes it;
  * with another argument errors are returned, and rank 0 prints the class. */
 #include <mpi.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -31,6 +32,125 @@ WRONG(isendrecv_replace, MPI_Isendrecv_replace(from, 1, MPI_INT, 0, -1, 0, 0, MP
 WRONG(split_type, MPI_Comm_split_type(MPI_COMM_NULL, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &comm))
 WRONG(dup_with_info, MPI_Comm_dup_with_info(MPI_COMM_NULL, MPI_INFO_NULL, &comm))
 WRONG(ineighbor, MPI_Ineighbor_alltoall(from, 1, MPI_INT, into, 1, MPI_INT, MPI_COMM_WORLD, &request))
+
+/* Ranges and lists that are none. */
+static MPI_Group world, part;
+WRONG(range, MPI_Group_range_incl(world, 2, (int[][3]){{0, 0x7fffffff, 1}, {0, 0x7fffffff, 1}}, &part))
+WRONG(group_count, MPI_Group_incl(world, -1, from, &part))
+WRONG(lengths, MPI_Type_indexed(2, (int[]){1, -2}, from, MPI_INT, &type))
+WRONG(block_length, MPI_Type_create_indexed_block(1, -3, from, MPI_INT, &type))
+WRONG(struct_length,
+      MPI_Type_create_struct(1, (int[]){-4}, &place, (MPI_Datatype[]){MPI_INT, MPI_INT}, &type))
+WRONG(no_dimension, MPI_Type_create_subarray(0, ones, ones, from, MPI_ORDER_C, MPI_INT, &type))
+WRONG(other_order, MPI_Type_create_subarray(1, ones, ones, from, 99, MPI_INT, &type))
+WRONG(far_start, MPI_Type_create_subarray(1, ones, ones, (int[]){0x7fffffff}, MPI_ORDER_C, MPI_INT, &type))
+#define DARRAY(rank, kind, block, parts)                                                                     \
+    MPI_Type_create_darray(2, rank, 1, (int[]){10}, (int[]){kind}, (int[]){block}, (int[]){parts},           \
+                           MPI_ORDER_C, MPI_INT, &type)
+WRONG(no_parts, DARRAY(0, MPI_DISTRIBUTE_BLOCK, MPI_DISTRIBUTE_DFLT_DARG, 0))
+WRONG(no_block, DARRAY(0, MPI_DISTRIBUTE_CYCLIC, 0, 2))
+WRONG(short_block, DARRAY(0, MPI_DISTRIBUTE_BLOCK, 4, 2))
+WRONG(no_kind, DARRAY(0, 77, 5, 2))
+WRONG(other_grid, DARRAY(0, MPI_DISTRIBUTE_BLOCK, 5, 3))
+WRONG(other_rank, DARRAY(2, MPI_DISTRIBUTE_BLOCK, 5, 2))
+WRONG(many_sides, MPI_Dims_create(12, 2, (int[]){65536, 65536}))
+WRONG(no_nodes, MPI_Dims_create(0, 2, zeros))
+WRONG(large_grid, MPI_Cart_create(MPI_COMM_WORLD, 2, (int[]){65536, 65536}, zeros, 0, &comm))
+WRONG(ends, MPI_Graph_create(MPI_COMM_WORLD, 2, (int[]){3, 1}, ones, 0, &comm))
+WRONG(sources, MPI_Dist_graph_create_adjacent(MPI_COMM_WORLD, 1, &size, MPI_UNWEIGHTED, 0, NULL,
+                                              MPI_UNWEIGHTED, MPI_INFO_NULL, 0, &comm))
+WRONG(degrees, MPI_Dist_graph_create(MPI_COMM_WORLD, 1, zeros, (int[]){-1}, zeros, MPI_UNWEIGHTED,
+                                     MPI_INFO_NULL, 0, &comm))
+WRONG(other_leader, MPI_Intercomm_create(MPI_COMM_SELF, 0, MPI_COMM_WORLD, size, 0, &comm))
+WRONG(group_tag, MPI_Comm_create_group(MPI_COMM_WORLD, world, -1, &comm))
+WRONG(split_kind, MPI_Comm_split_type(MPI_COMM_WORLD, 77, 0, MPI_INFO_NULL, &comm))
+static int two_groups(void)
+{
+    MPI_Intercomm_create(MPI_COMM_SELF, 0, MPI_COMM_WORLD, 1 - rank, 0, &comm);
+    return MPI_Cart_create(comm, 1, ones, zeros, 0, &comm);
+}
+
+/* Room, and what is there. */
+static int at;
+WRONG(pack_room, MPI_Pack(from, 1, MPI_INT, into, -1, &at, MPI_COMM_WORLD))
+WRONG(unpack_size, MPI_Unpack(from, -1, &at, into, 1, MPI_INT, MPI_COMM_WORLD))
+WRONG(pack_size, MPI_Pack_size(-1, MPI_INT, MPI_COMM_WORLD, &at))
+WRONG(pack_count, MPI_Pack_external("external32", from, -1, MPI_INT, into, sizeof into, &place))
+static int unpack_place(void)
+{
+    place = -4;
+    return MPI_Unpack_external("external32", from, sizeof from, &place, into, 1, MPI_INT);
+}
+WRONG(local_count, MPI_Reduce_local(from, into, -1, MPI_INT, MPI_SUM))
+WRONG(no_function, MPI_Op_create(NULL, 1, &(MPI_Op){MPI_OP_NULL}))
+WRONG(ibsend, MPI_Ibsend(from, 1, MPI_INT, 0, 0, MPI_COMM_WORLD, &request))
+static int mrecv_count(void)
+{
+    MPI_Send(from, 1, MPI_INT, rank, 0, MPI_COMM_WORLD);
+    MPI_Mprobe(rank, 0, MPI_COMM_WORLD, &none, MPI_STATUS_IGNORE);
+    return MPI_Mrecv(into, -1, MPI_INT, &none, MPI_STATUS_IGNORE);
+}
+WRONG(no_handler, MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRHANDLER_NULL))
+WRONG(free_env, MPI_Info_free(&(MPI_Info){MPI_INFO_ENV}))
+static int info_texts(bool key, int room)
+{
+    MPI_Info info;
+    static char text[MPI_MAX_INFO_VAL + 1];
+    int flag;
+    MPI_Info_create(&info);
+    MPI_Info_set(info, "key", "value");
+    memset(text, 'x', MPI_MAX_INFO_VAL);
+    return room ? MPI_Info_get(info, "key", room, text, &flag)
+                : MPI_Info_set(info, key ? text : "key", key ? "value" : text);
+}
+WRONG(info_key, info_texts(true, 0))
+WRONG(info_value, info_texts(false, 0))
+WRONG(info_room, info_texts(false, -1))
+WRONG(rput_rank, MPI_Rput(from, 1, MPI_INT, 0x3fffffff, 0, 1, MPI_INT, win, &request))
+static int rput_fenced(void)
+{
+    MPI_Win_fence(0, win);
+    return MPI_Rput(from, 1, MPI_INT, 0, 0, 1, MPI_INT, win, &request);
+}
+static int swap_pair(void)
+{
+    MPI_Win_lock(MPI_LOCK_SHARED, 0, 0, win);
+    return MPI_Compare_and_swap(from, from, into, MPI_DOUBLE_INT, 0, 0, win);
+}
+
+/* An attribute that may not go, or be copied. */
+static int refuses(MPI_Datatype of, int key, void *value, void *extra)
+{
+    return (void)of, (void)key, (void)value, (void)extra, MPI_ERR_NAME;
+}
+static int refuses_copy(MPI_Datatype of, int key, void *extra, void *in, void *out, int *flag)
+{
+    return (void)of, (void)key, (void)extra, (void)in, (void)out, (void)flag, MPI_ERR_NAME;
+}
+static int set_one(void)
+{
+    int key;
+    MPI_Type_contiguous(2, MPI_INT, &type);
+    MPI_Type_create_keyval(refuses_copy, refuses, &key, NULL);
+    MPI_Type_set_attr(type, key, NULL);
+    return key;
+}
+static int free_type(void)
+{
+    set_one();
+    return MPI_Type_free(&type);
+}
+static int dup_type(void)
+{
+    MPI_Datatype copy;
+    set_one();
+    return MPI_Type_dup(type, &copy);
+}
+static int set_again(void)
+{
+    int key = set_one();
+    return MPI_Type_set_attr(type, key, NULL);
+}
 
 /* What one rank's own epochs do not allow. */
 static int free_locked(void)
@@ -114,46 +234,190 @@ static int again(void)
     return code || sum != 7 * size || (!rank && first == MPI_SUCCESS) ? MPI_ERR_OTHER : MPI_SUCCESS;
 }
 
+/* A communicator's own handler is told of its attributes; it lasts as long as the communicator. */
+static void handler(MPI_Comm *of, int *code, ...)
+{
+    (void)of, (void)code;
+}
+static int own_handler(void)
+{
+    MPI_Fint first = 0;
+    int found;
+    for (int i = 0; i < 3; i++) {
+        MPI_Errhandler own;
+        MPI_Comm_dup(MPI_COMM_SELF, &comm);
+        MPI_Comm_create_errhandler(handler, &own);
+        MPI_Comm_set_errhandler(comm, own);
+        first = first ? first : MPI_Errhandler_c2f(own);
+        if (MPI_Errhandler_c2f(own) > first ||
+            MPI_Comm_get_attr(comm, 12345, &place, &found) != MPI_ERR_KEYVAL)
+            return MPI_ERR_OTHER;
+        MPI_Errhandler_free(&own);
+        MPI_Comm_free(&comm);
+    }
+    return MPI_SUCCESS;
+}
+
+/* Each class has a text; one of the program's is as long as there is room for. */
+static int texts(void)
+{
+    char text[MPI_MAX_ERROR_STRING], longer[2 * MPI_MAX_ERROR_STRING];
+    int class, length, found, *last;
+    for (int code = MPI_SUCCESS; code <= MPI_ERR_RMA_FLAVOR; code++) {
+        MPI_Error_string(code, text, &length);
+        if (!strcmp(text, "unknown error code"))
+            return MPI_ERR_OTHER;
+    }
+    memset(longer, 'x', sizeof longer - 1), longer[sizeof longer - 1] = '\0';
+    MPI_Add_error_class(&class);
+    MPI_Add_error_string(class, longer);
+    MPI_Error_string(class, text, &length);
+    MPI_Comm_get_attr(MPI_COMM_WORLD, MPI_LASTUSEDCODE, &last, &found);
+    return length == (int)strlen(text) && *last == class ? MPI_SUCCESS : MPI_ERR_OTHER;
+}
+
+/* Copies of graphs without weights, and with them. */
+static int graph_copies(void)
+{
+    for (int weighted = 0; weighted < 2; weighted++) {
+        int next = (rank + 1) % size, before = (rank + size - 1) % size, ins, outs, flag, weights[2] = {0};
+        int *given = weighted ? &(int){7} : MPI_UNWEIGHTED;
+        MPI_Comm graph;
+        MPI_Dist_graph_create_adjacent(MPI_COMM_WORLD, 1, &before, given, 1, &next, given, MPI_INFO_NULL, 0,
+                                       &graph);
+        MPI_Comm_dup(graph, &comm);
+        MPI_Dist_graph_neighbors_count(comm, &ins, &outs, &flag);
+        MPI_Dist_graph_neighbors(comm, 1, &ins, weights, 1, &outs, weights + 1);
+        if (ins != before || outs != next || flag != weighted || weights[0] != 7 * weighted)
+            return MPI_ERR_OTHER;
+    }
+    return MPI_SUCCESS;
+}
+
+/* external32: a complex number is two; a part of an element that has been read is converted, too. */
+static int external(void)
+{
+    static const unsigned char packed[] = {0x3f, 0xf0, 0, 0, 0, 0, 0, 0, 0x40, 0, 0, 0, 0, 0, 0, 0};
+    double one_and_two[2] = {1, 2};
+    unsigned char bytes[sizeof packed];
+    int numbers[4] = {1, 2, 3}, count;
+    MPI_File file;
+    MPI_Status status;
+    MPI_Pack_external("external32", one_and_two, 1, MPI_C_DOUBLE_COMPLEX, bytes, sizeof bytes, &place);
+    MPI_Type_contiguous(4, MPI_INT, &type);
+    MPI_Type_commit(&type);
+    MPI_File_open(MPI_COMM_SELF, rank ? "one" : "zero", MPI_MODE_RDWR | MPI_MODE_CREATE, MPI_INFO_NULL,
+                  &file);
+    MPI_File_set_view(file, 0, MPI_INT, MPI_INT, "external32", MPI_INFO_NULL);
+    MPI_File_write_at(file, 0, numbers, 3, MPI_INT, &status);
+    memset(numbers, 0, sizeof numbers);
+    MPI_File_read_at(file, 0, numbers, 1, type, &status);
+    MPI_File_close(&file);
+    MPI_Get_elements(&status, type, &count);
+    return !memcmp(bytes, packed, sizeof packed) && numbers[0] == 1 && numbers[2] == 3 && count == 3
+               ? MPI_SUCCESS
+               : MPI_ERR_OTHER;
+}
+
+static int large_pack(void)
+{
+    int code = MPI_Pack_size(0x7fffffff, MPI_INT, MPI_COMM_WORLD, &at);
+    return at == MPI_UNDEFINED ? code : MPI_ERR_OTHER;
+}
+
+/* By the names of their functions. */
+#define NAMED(f)                                                                                             \
+    {                                                                                                        \
+#f, f                                                                                                \
+    }
 static const struct wrong {
     const char *name;
     int (*call)(void);
-} all[] = {{"mrecv", mrecv},
-           {"call_errhandler", call_errhandler},
-           {"pack_external", pack_external},
-           {"win_attach", win_attach},
-           {"vector", vector},
-           {"bcast_init", bcast_init},
-           {"send_init", send_init},
-           {"isendrecv_replace", isendrecv_replace},
-           {"split_type", split_type},
-           {"dup_with_info", dup_with_info},
-           {"ineighbor", ineighbor},
-           {"free_locked", free_locked},
-           {"fence_locked", fence_locked},
-           {"free_posted", free_posted},
-           {"overlap", overlap},
-           {"allreduce", allreduce},
-           {"iallreduce", iallreduce},
-           {"reduce", reduce},
-           {"gatherv", gatherv},
-           {"scatterv", scatterv},
-           {"null_split", null_split},
-           {"null_size", null_size},
-           {"null_type", null_type},
-           {"null_extent", null_extent},
-           {"reduce_local", reduce_local},
-           {"scan", scan},
-           {"reduce_scatter", reduce_scatter},
-           {"block", block},
-           {"allgather", allgather},
-           {"gather", gather},
-           {"scatter", scatter},
-           {"in_place", in_place},
-           {"again", again},
-           {"alltoall", alltoall},
-           {"alltoallv", alltoallv},
-
-           {"fine", fine}};
+} all[] = {NAMED(mrecv),
+           NAMED(call_errhandler),
+           NAMED(pack_external),
+           NAMED(win_attach),
+           NAMED(vector),
+           NAMED(bcast_init),
+           NAMED(send_init),
+           NAMED(isendrecv_replace),
+           NAMED(split_type),
+           NAMED(dup_with_info),
+           NAMED(ineighbor),
+           NAMED(free_locked),
+           NAMED(fence_locked),
+           NAMED(free_posted),
+           NAMED(overlap),
+           NAMED(allreduce),
+           NAMED(iallreduce),
+           NAMED(reduce),
+           NAMED(gatherv),
+           NAMED(scatterv),
+           NAMED(null_split),
+           NAMED(null_size),
+           NAMED(null_type),
+           NAMED(null_extent),
+           NAMED(reduce_local),
+           NAMED(scan),
+           NAMED(reduce_scatter),
+           NAMED(block),
+           NAMED(allgather),
+           NAMED(gather),
+           NAMED(scatter),
+           NAMED(in_place),
+           NAMED(again),
+           NAMED(alltoall),
+           NAMED(alltoallv),
+           NAMED(range),
+           NAMED(group_count),
+           NAMED(lengths),
+           NAMED(block_length),
+           NAMED(struct_length),
+           NAMED(no_dimension),
+           NAMED(other_order),
+           NAMED(far_start),
+           NAMED(no_parts),
+           NAMED(no_block),
+           NAMED(short_block),
+           NAMED(no_kind),
+           NAMED(other_grid),
+           NAMED(other_rank),
+           NAMED(many_sides),
+           NAMED(no_nodes),
+           NAMED(large_grid),
+           NAMED(ends),
+           NAMED(sources),
+           NAMED(degrees),
+           NAMED(other_leader),
+           NAMED(group_tag),
+           NAMED(split_kind),
+           NAMED(two_groups),
+           NAMED(pack_room),
+           NAMED(unpack_size),
+           NAMED(pack_size),
+           NAMED(pack_count),
+           NAMED(unpack_place),
+           NAMED(local_count),
+           NAMED(no_function),
+           NAMED(ibsend),
+           NAMED(mrecv_count),
+           NAMED(no_handler),
+           NAMED(free_env),
+           NAMED(info_key),
+           NAMED(info_value),
+           NAMED(info_room),
+           NAMED(rput_rank),
+           NAMED(rput_fenced),
+           NAMED(swap_pair),
+           NAMED(free_type),
+           NAMED(dup_type),
+           NAMED(set_again),
+           NAMED(own_handler),
+           NAMED(texts),
+           NAMED(graph_copies),
+           NAMED(external),
+           NAMED(large_pack),
+           NAMED(fine)};
 
 int main(int argc, char **argv)
 {
@@ -164,9 +428,11 @@ int main(int argc, char **argv)
     MPI_Comm_size(MPI_COMM_WORLD, &size);
     for (int i = 0; i < MOST; i++)
         ones[i] = 1;
+    MPI_Comm_group(MPI_COMM_WORLD, &world);
     MPI_Win_create(from, sizeof from, sizeof *from, MPI_INFO_NULL, MPI_COMM_WORLD, &win);
     if (argc > 2) {
         MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
+        MPI_Comm_set_errhandler(MPI_COMM_SELF, MPI_ERRORS_RETURN);
         MPI_Win_set_errhandler(win, MPI_ERRORS_RETURN);
     }
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)

@@ -46,7 +46,55 @@ gather|invalid buffer|MPI_Gather|what is sent and what is received
 scatter|invalid buffer|MPI_Scatter|what is sent and what is received
 alltoall|invalid buffer|MPI_Alltoall|what is sent and what is received
 alltoallv|invalid buffer|MPI_Alltoallv|what is sent and what is received
+range|invalid rank|MPI_Group_range_incl|rank [02] is
+group_count|invalid argument|MPI_Group_incl|the count -1 is negative
+lengths|invalid count|MPI_Type_indexed|the count -2 is negative
+block_length|invalid count|MPI_Type_create_indexed_block|the count -3 is negative
+struct_length|invalid count|MPI_Type_create_struct|the count -4 is negative
+no_dimension|invalid argument|MPI_Type_create_subarray|0 dimensions, in order 12
+other_order|invalid argument|MPI_Type_create_subarray|1 dimensions, in order 99
+far_start|invalid argument|MPI_Type_create_subarray|dimension 0 has 1 elements; 1 from 2147483647 on
+no_parts|invalid argument|MPI_Type_create_darray|dimension 0: 10 elements cannot be shared out in kind 17, by blocks of 19, among 0
+no_block|invalid argument|MPI_Type_create_darray|dimension 0: 10 elements cannot be shared out in kind 18, by blocks of 0, among 2
+short_block|invalid argument|MPI_Type_create_darray|dimension 0: 10 elements cannot be shared out in kind 17, by blocks of 4, among 2
+no_kind|invalid argument|MPI_Type_create_darray|dimension 0: 10 elements cannot be shared out in kind 77
+other_grid|invalid argument|MPI_Type_create_darray|rank 0 of 2, which the grid does not have
+other_rank|invalid argument|MPI_Type_create_darray|rank 2 of 2, which the grid does not have
+many_sides|invalid dimensions|MPI_Dims_create|12 nodes are no multiple of the 65536 that
+no_nodes|invalid dimensions|MPI_Dims_create|0 nodes in 2 dimensions
+large_grid|invalid dimensions|MPI_Cart_create|the grid has 4294967296 ranks, the communicator 2
+ends|invalid argument|MPI_Graph_create|node 1's edges end before they begin, at 1
+sources|invalid rank|MPI_Dist_graph_create_adjacent|there is no rank 2 in the communicator
+degrees|invalid argument|MPI_Dist_graph_create|the count -1 is negative
+other_leader|invalid rank|MPI_Intercomm_create|the other leader 2 is not one of 2 ranks
+group_tag|invalid tag|MPI_Comm_create_group|the tag -1 is negative
+split_kind|invalid argument|MPI_Comm_split_type|there is no kind of part 77
+two_groups|invalid communicator|MPI_Cart_create|not for communicators of two groups
+pack_room|the message is longer than the receive|MPI_Pack|1 elements of 4 bytes do not fit into -1 bytes
+unpack_size|the message is longer than the receive|MPI_Unpack|there are fewer than 1 elements of 4 bytes in -1 bytes
+pack_size|invalid count|MPI_Pack_size|the count -1 is negative
+pack_count|invalid count|MPI_Pack_external|the count -1 is negative
+unpack_place|the message is longer than the receive|MPI_Unpack_external|fewer than 4 bytes are there after position -4
+local_count|invalid count|MPI_Reduce_local|the count -1 is negative
+no_function|invalid argument|MPI_Op_create|the function is a null pointer
+ibsend|invalid buffer|MPI_Ibsend|4 bytes and MPI_BSEND_OVERHEAD do not fit
+mrecv_count|invalid count|MPI_Mrecv|the count -1 is negative
+no_handler|invalid argument|MPI_Comm_set_errhandler|the error handler is null
+free_env|invalid info|MPI_Info_free|the info is null
+info_key|invalid key of an info|MPI_Info_set|the key is empty, or longer than 255 letters
+info_value|invalid value of an info|MPI_Info_set|the value is longer than 1023 letters
+info_room|invalid argument|MPI_Info_get|room for -1 letters
+rput_rank|invalid rank|MPI_Rput|there is no rank 1073741823 in the window
+rput_fenced|the window may not be used at this time|MPI_Rput|rank 0 is accessed with a request before MPI_Win_lock
+swap_pair|invalid operation|MPI_Compare_and_swap|what is compared is an integer, a logical or a byte
+free_type|no such name of a service|MPI_Type_free|an attribute's delete function says no
+dup_type|no such name of a service|MPI_Type_dup|an attribute's copy function says no
+set_again|no such name of a service|MPI_Type_set_attr|an attribute's delete function says no
 END
+for right in own_handler texts graph_copies external large_pack; do
+    run -q -n 2 mpi_wrong $right
+    check "$right: all is as it should be" test "$status:$(cat out)" = "0:no error"
+done
 run -q -n 2 mpi_wrong in_place returned
 check "an own part in its place is an error where errors are returned" test "$(head -1 out)" = "invalid buffer"
 run -q -n 2 mpi_wrong in_place
