@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include "nx_api/mpi/mpi_end.h"
 #include "nx_api/mpi/quiet.h"
 #include "nx_api/mpi/states.h"
 
@@ -40,6 +41,7 @@ bool deadlock_look(struct node *n, double since)
 {
     if (!quiet_look(n, since))
         return false;
+    mpi_end_numbers();
     struct waitfor *w = states_gather(n);
     waitfor_analyse(w);
     write_text(w);

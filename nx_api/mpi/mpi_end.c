@@ -1,5 +1,6 @@
 /* mpi_end.c - see mpi_end.h. */
 #include "nx_api/mpi/mpi_end.h"
+#include <locale.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,6 +21,11 @@ enum { PATIENCE_S = 5 };
 
 static pid_t process; /* of the program itself, not of its children */
 static bool deadlocked;
+
+void mpi_end_numbers(void)
+{
+    uselocale(newlocale(LC_ALL_MASK, "C", NULL));
+}
 
 static void nap(long ns)
 {
@@ -57,6 +63,7 @@ static void say_end(struct node *n, int status)
 static void finish(struct node *n, int status, double patience)
 {
     bool deadlock = false;
+    mpi_end_numbers();
     io_settle_all();
     say_end(n, status);
     for (long pause = 1000; n->ended < n->sys->count || !wire_is_empty();) {
@@ -87,6 +94,7 @@ static void exits(struct node *n, int status)
         finish(n, 0, 0);
         return;
     }
+    mpi_end_numbers();
     fprintf(stderr, "nx: node %ld, at %.6f s: exit(%d), which ends the program on all nodes\n", n->id,
             mpi_seconds(), status);
     SUMMARY(fail);
@@ -125,6 +133,7 @@ _Noreturn void node_fail(struct node *n, const char *fmt, ...)
     va_list ap;
     char message[512], head[80];
     static struct safe_text text;
+    mpi_end_numbers();
     va_start(ap, fmt);
     vsnprintf(message, sizeof message, fmt, ap);
     va_end(ap);

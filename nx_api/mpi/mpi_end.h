@@ -9,6 +9,8 @@
 
 /* Once, in the process itself. */
 void mpi_end_begin(void);
+/* Before a report at the end: its numbers are C's, whatever locale the program has set. */
+void mpi_end_numbers(void);
 /* Ends this process as if it were killed: its output is written. */
 _Noreturn void mpi_end_here(struct node *n);
 /* Ends all nodes, which wait for ever; node 0 has said why. */

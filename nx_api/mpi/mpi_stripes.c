@@ -49,6 +49,7 @@ int stripes_set(struct node *n, int fd, int factor, int start)
 }
 
 int node_fcntl(int fd, int what, ...) NX_EXPORT("fcntl");
+int node_fcntl64(int fd, int what, ...) NX_EXPORT("fcntl64") __attribute__((alias("fcntl")));
 
 /* Other requests are the host's. */
 int node_fcntl(int fd, int what, ...)
@@ -60,7 +61,7 @@ int node_fcntl(int fd, int what, ...)
     if (nx_is_of_stripes(what))
         return nx_stripes_control(fd, what, argument);
     int answer = (int)syscall(SYS_fcntl, fd, what, argument);
-    if (what == F_DUPFD && answer >= 0)
+    if ((what == F_DUPFD || what == F_DUPFD_CLOEXEC) && answer >= 0)
         files_copied(fd, answer);
     return answer;
 }

@@ -58,11 +58,12 @@ static void print_difference(FILE *f, const struct waitfor *w, const struct wait
 
 static void print_messages(FILE *f, const struct waitfor *w, const struct waitfor_node *n)
 {
-    uint64_t count = n->more_messages, told = 0;
+    uint64_t count = 0, told = 0;
     for (size_t i = 0; i < n->message_count; i++)
         count += waitfor_concerns(n, &n->messages[i]);
-    if (!count)
+    if (!count) /* nor, most likely, those that are not listed */
         return;
+    count += n->more_messages;
     if (count == 1)
         fputs("\n1 message is here: ", f);
     else

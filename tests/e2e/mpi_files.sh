@@ -24,6 +24,19 @@ check "an error names call and file" said '^nx: node 0, at [0-9.]+ s: iowait\(1\
 on_mpi 1 ./later ends
 check "what is to be written is written before the program ends" [ "$(wc -c <"$TOUCHSTONE_CFS/ends")" = $((50 << 20)) ]
 
+# A copy of a file of /cfs is one, whatever name headers give to fcntl.
+cat >copies.c <<'EOF'
+#include <fcntl.h>
+#include <nx.h>
+int main(void)
+{
+    return _lsize(fcntl(open("/cfs/copied", O_RDWR | O_CREAT, 0666), F_DUPFD, 20), 100, 0) != 100;
+}
+EOF
+check "copies.c compiles" "$BUILD/nxcc" --mpi -D_FILE_OFFSET_BITS=64 -o copies copies.c
+on_mpi 1 ./copies
+check "a copy that fcntl makes can be sized" [ "$status:$(wc -c <"$TOUCHSTONE_CFS/copied")" = 0:100 ]
+
 # All nodes wait, but one of them for its input. That comes when a deadlock that began later has been found.
 export NX_DEADLOCK=0.2
 limited mpirun -np 2 ./later alive >alive.out 2>alive.err </dev/null &

@@ -40,3 +40,29 @@ check "a deadlock" [ "$(outcome | cut -d' ' -f1)" = deadlock ]
 NX_SUMMARY_JSON=missing/out.json on_mpi 2 ./ring
 check "a file that cannot be written is named" said '^nx: NX_SUMMARY_JSON: missing/out.json cannot be written: No such'
 check "and the run is none the worse" ended_with 0
+
+# Numbers are C's in a program that has a locale with another point.
+cat >locale.c <<'EOF'
+#include <locale.h>
+#include <nx.h>
+int main(int argc, char **argv)
+{
+    char byte;
+    if (!setlocale(LC_ALL, "de_DE.UTF-8"))
+        return 1;
+    if (argc > 1)
+        crecv(7, &byte, 1);
+    return argv == 0;
+}
+EOF
+if localedef -i de_DE -f UTF-8 "$PWD/de_DE.UTF-8" >localedef.out 2>&1; then
+    check "locale.c compiles" "$BUILD/nxcc" --mpi -O2 -g -o locale locale.c
+    export LOCPATH=$PWD
+    NX_SUMMARY=1 NX_SUMMARY_JSON=out.json on_mpi 2 ./locale
+    check "a program with a locale of its own: the text" said '^time +[0-9]+\.[0-9]+ s on 2 nodes of 1 computer$'
+    check "and the JSON" [ "$(outcome)" = "ended 0 0" ]
+    NX_DEADLOCK=0.2 on_mpi 2 ./locale waits
+    check "and a deadlock's report" said 'crecv\(7\) since [0-9.]+ [mun]?s'
+else
+    echo "skip a program with a locale of its own: localedef cannot make de_DE"
+fi

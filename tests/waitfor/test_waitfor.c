@@ -287,6 +287,21 @@ static void of_many_messages_some_are_told(void **state)
     waitfor_free(w);
 }
 
+static void of_many_messages_of_the_library_none_is_told(void **state)
+{
+    (void)state;
+    struct waitfor *w = waitfor_new(3);
+    struct waitfor_node *n = receives(w, 1, 8, WAITFOR_ANY);
+    struct waitfor_message m = FROM_2;
+    m.type = GSYNC;
+    for (int i = 0; i < 100; i++)
+        waitfor_add_message(n, &m);
+    receives(w, 0, 7, 1), receives(w, 2, 7, 1);
+    waitfor_analyse(w);
+    assert_null(strstr(n->why, "messages are here"));
+    waitfor_free(w);
+}
+
 static void another_receive_took_it(void **state)
 {
     (void)state;
@@ -723,6 +738,7 @@ int main(void)
         cmocka_unit_test(a_message_of_another_process_type),
         cmocka_unit_test(messages_of_global_operations_are_not_told),
         cmocka_unit_test(of_many_messages_some_are_told),
+        cmocka_unit_test(of_many_messages_of_the_library_none_is_told),
         cmocka_unit_test(another_receive_took_it),
         cmocka_unit_test(the_same_receive_took_it),
         cmocka_unit_test(a_handler_of_one_type_took_none_of_any_type),
