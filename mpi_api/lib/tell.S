@@ -2,7 +2,7 @@
  * way from a program's MPI_NAME to PMPI_NAME. CALL of lib.h makes the names, each of which comes here with its
  * text in %rax and PMPI_NAME in %r11.
  *
- * It is not compiled by nxcc, so that it takes no virtual time. The frame is what struct mpi_call describes:
+ * It is not compiled by nxcc, so that it takes no virtual time. The frame is what struct nxm_told describes:
  *
  *     -64  the first six arguments          0  the frame before
  *     -16  the text                         8  the place in the program

@@ -133,6 +133,8 @@ const char *waitfor_mpi_remedy(const struct waitfor_node *n)
     case WAITFOR_WRONG_TYPE:
     case WAITFOR_WRONG_NODE:
         return "Compare tag, rank and communicator here with those of the send.";
+    case WAITFOR_TAKEN:
+        return "Let the earlier receive select fewer tags or ranks, or give the messages different tags.";
     case WAITFOR_CYCLE:
         return "One of the cycle has to send before it receives, or to post its receive (MPI_Irecv) and go "
                "on.";

@@ -134,8 +134,9 @@ static void print_taken(FILE *f, const struct waitfor *w, const struct waitfor_n
     if (r) {
         print_held(f, w, r);
     } else if (t) {
-        fprintf(f, "\nA message of type %ld from ", t->type);
-        waitfor_print_node(f, w, t->from);
+        fputs("\nA message of ", f);
+        print_wanted(
+            f, w, &(struct waitfor_select){t->type, t->from, waitfor_is_mpi(t->pid) ? t->pid : WAITFOR_ANY});
         fputs(" came", f);
         if (t->came_ps != WAITFOR_NEVER) {
             fputs(" at ", f);

@@ -317,6 +317,23 @@ static void another_receive_took_it(void **state)
     waitfor_free(w);
 }
 
+static void another_receive_of_mpi_took_it(void **state)
+{
+    (void)state;
+    enum { WORLD = 1 << 24 };
+    struct waitfor *w = waitfor_new(3);
+    struct waitfor_node *n = receives(w, 1, 7, 2);
+    struct waitfor_taken t = {.type = 7, .from = 2, .pid = WORLD, .by = {-1, -1, WORLD}, .call = "MPI_Recv"};
+    n->select.pid = WORLD;
+    waitfor_add_taken(n, &t);
+    ends(w, 0), ends(w, 2);
+    waitfor_analyse(w);
+    assert_non_null(strstr(
+        n->why, "\nA message of tag 7 in MPI_COMM_WORLD from node 2 came at 0 s: MPI_Recv(-1) took it."));
+    assert_non_null(strstr(n->remedy, "fewer tags or ranks"));
+    waitfor_free(w);
+}
+
 /* A loop's crecv took what it was meant to. */
 static void the_same_receive_took_it(void **state)
 {
@@ -740,6 +757,7 @@ int main(void)
         cmocka_unit_test(of_many_messages_some_are_told),
         cmocka_unit_test(of_many_messages_of_the_library_none_is_told),
         cmocka_unit_test(another_receive_took_it),
+        cmocka_unit_test(another_receive_of_mpi_took_it),
         cmocka_unit_test(the_same_receive_took_it),
         cmocka_unit_test(a_handler_of_one_type_took_none_of_any_type),
         cmocka_unit_test(a_receive_under_way_has_it),
