@@ -53,7 +53,7 @@ struct comm {
 
 /* --- datatypes --- */
 
-/* Bytes that lie together; elements of `unit` bytes, or of -unit, which are complex: two numbers. */
+/* Bytes that lie together; elements of `unit` bytes. */
 struct run {
     MPI_Aint at;
     size_t bytes;

@@ -58,7 +58,7 @@ static struct type *make_basic(uintptr_t handle)
     t->align = b->class == COMPLEX ? b->bytes / 2 : b->class == PAIR ? b->value : b->bytes;
     t->runs = b->bytes ? 1 : 0;
     t->run = &t->one;
-    t->one = (struct run){0, b->bytes, b->class == COMPLEX ? -b->bytes : b->bytes};
+    t->one = (struct run){0, b->bytes, b->bytes};
     t->committed = true, t->combiner = MPI_COMBINER_NAMED;
     t->has_lb = handle == (uintptr_t)MPI_LB, t->has_ub = handle == (uintptr_t)MPI_UB;
     if (b->class == PAIR) {

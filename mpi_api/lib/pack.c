@@ -121,25 +121,39 @@ CALL(Pack_size, (int count, MPI_Datatype type, MPI_Comm comm, int *size))
 
 /* --- in the order of bytes that all computers agree on: each element's highest first --- */
 
-static void reverse(char *number, size_t bytes)
+/* A number, if all of it is there; what is behind it. */
+static char *reverse(char *number, const char *end, int bytes)
 {
-    for (size_t low = 0, high = bytes - 1; low < high; low++, high--) {
+    if (end - number < bytes)
+        return number + (end - number);
+    for (int low = 0, high = bytes - 1; low < high; low++, high--) {
         char c = number[low];
         number[low] = number[high], number[high] = c;
     }
+    return number + bytes;
+}
+
+/* The numbers of elements; what is behind them. */
+static char *reverse_elements(MPI_Datatype handle, size_t count, char *at, const char *end)
+{
+    const struct type *t = type_of(handle);
+    const struct basic *b = type_basic(handle);
+    const int numbers = b && b->class == COMPLEX ? 2 : 1;
+    const bool is_struct = t->combiner == MPI_COMBINER_STRUCT;
+    if (!b && !is_struct && t->size) /* as many of one other datatype as it has room for */
+        return reverse_elements(t->type_list[0], count * (t->size / size_of(t->type_list[0])), at, end);
+    for (; t->size && count && at < end; count--) {
+        for (int i = 0; is_struct && i < t->types; i++)
+            at = reverse_elements(t->type_list[i], (size_t)t->int_list[1 + i], at, end);
+        for (int i = 0; b && i < t->runs * numbers; i++)
+            at = reverse(at, end, t->run[i / numbers].unit / numbers);
+    }
+    return at;
 }
 
 void type_reverse(MPI_Datatype handle, char *packed, size_t bytes)
 {
-    const struct type *t = type_of(handle);
-    for (int k = 0; bytes; k = k + 1 < t->runs ? k + 1 : 0) {
-        const struct run *r = &t->run[k];
-        size_t some = r->bytes < bytes ? r->bytes : bytes;
-        size_t number = (size_t)(r->unit < 0 ? -r->unit / 2 : r->unit);
-        for (size_t at = 0; at + number <= some; at += number)
-            reverse(packed + at, number);
-        packed += some, bytes -= some;
-    }
+    reverse_elements(handle, bytes, packed, packed + bytes);
 }
 
 static int check_external(int call, const char *name, int count, MPI_Datatype type)
@@ -215,13 +229,13 @@ static int get_elements(int call, const MPI_Status *status, MPI_Datatype type, M
         return type_missing(call);
     size_t bytes = status_bytes(status), in_one = 0, n = 0;
     for (int k = 0; k < t->runs; k++)
-        in_one += t->run[k].bytes / (size_t)abs(t->run[k].unit);
+        in_one += t->run[k].bytes / (size_t)t->run[k].unit;
     if (t->size) {
         n = bytes / t->size * in_one;
         bytes %= t->size;
     }
     for (int k = 0; bytes && k < t->runs; k++) {
-        size_t some = t->run[k].bytes < bytes ? t->run[k].bytes : bytes, unit = (size_t)abs(t->run[k].unit);
+        size_t some = t->run[k].bytes < bytes ? t->run[k].bytes : bytes, unit = (size_t)t->run[k].unit;
         n += some / unit;
         bytes -= some;
         if (some % unit)
