@@ -37,6 +37,43 @@ check "declared again: a pointer to something else is an error" declares_wrongly
 calls_wrongly() { ! declares 'int mynode(); int f(void) { return mynode(1); }' && grep -q 'too many arguments to function .mynode' err; }
 check "declared again: calls are checked against the header" calls_wrongly
 
+# A function of the program's own has the program's types, whatever a header says of one by its name.
+cat >own.c <<'END0'
+#include <math.h>
+#include <mesh.h>
+#include <stdio.h>
+int getline(char text[], int most);
+int log2();
+int gray(n)
+int n;
+{
+    return -n;
+}
+int main(void)
+{
+    char text[80];
+    while (getline(text, sizeof text) > 0)
+        printf("%s %d %d %.1f\n", text, gray(5), log2(17), sqrt(4));
+    return 0;
+}
+int getline(char text[], int most)
+{
+    return scanf("%79s", text) == 1 && most == 80;
+}
+int log2(n)
+int n;
+{
+    return n < 2 ? 0 : 1 + log2(n / 2);
+}
+END0
+for options in -O2 --long32 --races; do
+    check "own functions: $options" "$BUILD/nxcc" $options -w -o own own.c
+    echo "one two" | "$BUILD/touchstone" run -q -n 1 own >out 2>err
+    check "own functions: they are called" diff out <(printf '%s -5 4 2.0\n' one two)
+done
+check "own functions: not called before, by the header's type" declares_wrongly 'long f() { return gray(1); } int gray(int n) { return n; }'
+check "own functions: a declaration needs a definition" declares_wrongly 'double gray(); double f(void) { return gray(1); }'
+
 # A stack from malloc, reached by alloca of the distance, as a portable thread package of the time does.
 cat >stack.c <<'END'
 #include <alloca.h>

@@ -10,9 +10,13 @@
  *     void * for any pointer to data; const                          char *malloc();
  *     parameters that one of the two leaves out                      long csendrecv();
  *
- * then the header's type holds, and calls are checked against it. Any other difference stays an error. A
- * function that the program defines itself is left alone. But what the program points at by `char *sbrk();`
- * holds: it subtracts the results.
+ * then the header's type holds, and calls are checked against it. Any other difference stays an error. But
+ * what the program points at by `char *sbrk();` holds: it subtracts the results.
+ *
+ * A function that the program defines itself has the program's types, whatever a header says of it: a program
+ * for the Delta brought a gopen of its own, cubes' dimensions came from `int log2();`, and getline was K&R's.
+ * So another type holds, too, from the program's declaration on, and is an error at the end of the file if no
+ * definition has followed; and at once if the function was called before, by the header's type.
  *
  * GCC asks the target for the attributes of each declaration just before it compares the declaration with
  * earlier ones. Only then can the type of a declaration be changed.
@@ -20,6 +24,7 @@
  * `extern int errno;` without a header names a variable, which the C library has no more: each use of it
  * becomes the one that the header's macro makes, *__errno_location().
  */
+#include <map>
 #include <set>
 #include <string>
 #include "base/c_frontend.h"
@@ -29,8 +34,14 @@
 namespace
 {
 void (*gcc_insert_attributes)(tree, tree *);
-std::set<std::string> from_header; /* functions that headers have declared */
-tree defined;                      /* the function whose definition has just begun */
+std::set<std::string> from_header;           /* functions that headers have declared */
+std::map<std::string, location_t> undefined; /* those the program declares otherwise, and has not defined */
+tree defined;                                /* the function whose definition has just begun */
+
+const char *name_of(tree decl)
+{
+    return IDENTIFIER_POINTER(DECL_NAME(decl));
+}
 
 bool alike(tree a, tree b);
 
@@ -82,7 +93,7 @@ bool in_header(tree decl)
  * program's. */
 bool by_header(tree decl)
 {
-    return in_header(decl) || from_header.count(IDENTIFIER_POINTER(DECL_NAME(decl)));
+    return in_header(decl) || from_header.count(name_of(decl));
 }
 
 bool points_at_void(tree type)
@@ -101,33 +112,71 @@ tree type_that_holds(tree header, tree program)
     return build_function_type(of_program, TYPE_ARG_TYPES(TREE_TYPE(header)));
 }
 
-/* Gives the program's declaration the header's type, if one of the two is a header's and the types are
- * alike. */
+/* GCC forgets a built-in function for one of the program's, unless a header has declared it. */
+void forget_header(tree builtin)
+{
+    DECL_LANG_FLAG_3(builtin) = 0; /* c-tree.h: C_DECL_DECLARED_BUILTIN */
+}
+
+/* Gives a header's declaration the type of the program's. */
+void give_program_s(tree header, tree program)
+{
+    if (fndecl_built_in_p(header))
+        forget_header(header);
+    else
+        TREE_TYPE(header) = TREE_TYPE(program);
+}
+
+/* Gives the program's declaration the header's type, if one of the two is a header's and the types are alike;
+ * or the header's the program's. */
 void reconcile(tree old, tree fresh)
 {
     bool old_holds = by_header(old) && !in_header(fresh);
     bool fresh_holds = !by_header(old) && in_header(fresh);
-    if ((!old_holds && !fresh_holds) || !alike(TREE_TYPE(old), TREE_TYPE(fresh)))
+    if (!old_holds && !fresh_holds)
         return;
     tree program = old_holds ? fresh : old, header = old_holds ? old : fresh;
-    TREE_TYPE(program) = TREE_TYPE(header) = type_that_holds(header, program);
-    DECL_ARGUMENTS(program) = NULL_TREE;
+    if (alike(TREE_TYPE(old), TREE_TYPE(fresh))) {
+        TREE_TYPE(program) = TREE_TYPE(header) = type_that_holds(header, program);
+        DECL_ARGUMENTS(program) = NULL_TREE;
+    } else if (old_holds && !TREE_USED(old)) {
+        give_program_s(header, program);
+        undefined.emplace(name_of(program), DECL_SOURCE_LOCATION(program));
+    }
+}
+
+/* The declaration that is known of decl's function, if its type is another and it is no definition. */
+tree differs(tree decl)
+{
+    tree old = lookup_name(DECL_NAME(decl));
+    bool other = old && old != decl && TREE_CODE(old) == FUNCTION_DECL && !DECL_INITIAL(old) &&
+                 comptypes(TREE_TYPE(old), TREE_TYPE(decl)) != 1;
+    return other ? old : NULL_TREE;
 }
 
 void scan_function(tree decl)
 {
-    tree old = lookup_name(DECL_NAME(decl));
-    if (old && old != decl && TREE_CODE(old) == FUNCTION_DECL && !DECL_INITIAL(old) &&
-        comptypes(TREE_TYPE(old), TREE_TYPE(decl)) != 1)
+    tree old = differs(decl);
+    if (old)
         reconcile(old, decl);
     if (in_header(decl))
-        from_header.insert(IDENTIFIER_POINTER(DECL_NAME(decl)));
+        from_header.insert(name_of(decl));
+}
+
+void scan_definition(tree decl)
+{
+    tree old = differs(decl);
+    if (old && by_header(old) && !in_header(decl) && !TREE_USED(old))
+        give_program_s(old, decl);
+    undefined.erase(name_of(decl));
 }
 
 void insert_attributes(tree decl, tree *attributes)
 {
     if (TREE_CODE(decl) == FUNCTION_DECL && DECL_NAME(decl)) {
-        if (TREE_PUBLIC(decl) && decl != defined)
+        if (TREE_PUBLIC(decl) && decl == defined)
+            scan_definition(decl);
+        else if (TREE_PUBLIC(decl))
             scan_function(decl);
         defined = NULL_TREE; /* the next declaration may be at the same address */
     }
@@ -154,6 +203,13 @@ void begin_definition(void *decl, void *)
     defined = static_cast<tree>(decl);
 }
 
+void end_of_file(void *, void *)
+{
+    for (const auto &[name, place] : undefined)
+        error_at(place, "conflicting types for %qs, which a header declares, and this file does not define",
+                 name.c_str());
+}
+
 void start_unit(void *, void *plugin)
 {
     if (!is_c())
@@ -161,6 +217,7 @@ void start_unit(void *, void *plugin)
     gcc_insert_attributes = targetm.insert_attributes;
     targetm.insert_attributes = insert_attributes;
     register_callback(static_cast<const char *>(plugin), PLUGIN_FINISH_DECL, errno_is_the_library_s, NULL);
+    register_callback(static_cast<const char *>(plugin), PLUGIN_ALL_IPA_PASSES_START, end_of_file, NULL);
 }
 } // namespace
 
