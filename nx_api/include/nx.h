@@ -129,6 +129,7 @@ long ginv(long n);            /* its inverse */
 
 long mypid(void); /* 0, unless set */
 long myptype(void);
+#define INVALID_PTYPE (-1) /* myptype() of a process without a ptype, which there is none of here */
 /* Set the pid of messages sent from now on: 0 or more, else EQPID. It may be set more than once (silent). */
 void setpid(long pid);
 void setptype(long ptype);
@@ -303,6 +304,9 @@ void gcol(const void *x, long len, void *y, long room, long *total);
 #include "nx_underscore.h"
 #include "pfs/pfs.h"
 #include "namelen.h"
+#ifdef __cplusplus
+#include "nx_handlers.h"
+#endif
 #ifdef __NX_HOST__
 #include "host.h"
 #endif

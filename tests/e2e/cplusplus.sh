@@ -44,6 +44,31 @@ echo '#include <quadmath.h>
 int main() { return isnanq(strtoflt128("1.5", nullptr)); }' >quad.cc
 check "-lquadmath is the library of GCC" "$BUILD/nxcc" -std=gnu++17 -o quad quad.cc -lquadmath
 
+cat >handlers.cc <<'END'
+extern "C" {
+#include <nx.h>
+}
+#include <stdio.h>
+typedef void (*any)(...);
+static volatile long last;
+static void takes(long type, long, long, long) { last = type; }
+static void takes_more(long, long, long, long, long more) { last = more; }
+static void wait(long for_this) { while (last != for_this) flick(); }
+int main()
+{
+    int n = 0;
+    hrecv(3, &n, sizeof n, (any)takes), csend(3, "", 0, 0, 0), wait(3);
+    hrecvx(4, &n, sizeof n, -1, -1, (any)takes_more, 40), hsendx(4, "", 0, 0, 0, (any)takes_more, 50), wait(50), wait(40);
+    hsend(5, "", 0, 0, 0, (any)takes), wait(5);
+    printf("called, without errors %d\n", _hrecv(6, &n, 4, 0) == -1 && _hsend(6, "", 0, 9, 0, (any)takes) == -1);
+    hsendrecv(7, "", 0, 0, 0, 7, &n, -1, (any)takes);
+}
+END
+check "handlers as void (*)(...)" "$BUILD/nxcc" -O2 -std=c++98 -o handlers handlers.cc
+run -q -n 1 handlers
+check "are called" test "$(cat out)" = "called, without errors 1"
+check "and errors have their lines" said 'called from main.*\(handlers\.cc:17\)$'
+
 echo '#include <thread>
 int main() { std::thread([] {}).join(); }' >threads.cc
 "$BUILD/nxcc" -o threads threads.cc 2>err
