@@ -17,6 +17,7 @@ int main(void)
         for (int j = 0; j < i; j++)
             distinct = distinct && codes[i] != codes[j] && codes[i] > 0;
     rule("the errno values", distinct);
+    rule("a force type, and no process type", FORCE_TYPE == 1 << 30 && INVALID_PTYPE < 0);
     rule("the length of a cube's name", NAMELEN == 32);
     rule("the I/O modes",
          M_UNIX == 0 && M_LOG == 1 && M_SYNC == 2 && M_RECORD == 3 && M_GLOBAL == 4 && M_ASYNC == 5);
