@@ -44,6 +44,8 @@ cat >own.c <<'END0'
 #include <stdio.h>
 int getline(char text[], int most);
 int log2();
+static long ginv(long n);
+static exp2();
 int gray(n)
 int n;
 {
@@ -53,7 +55,7 @@ int main(void)
 {
     char text[80];
     while (getline(text, sizeof text) > 0)
-        printf("%s %d %d %.1f\n", text, gray(5), log2(17), sqrt(4));
+        printf("%s %d %d %ld %d %.1f\n", text, gray(5), log2(17), ginv(6), exp2(3), sqrt(4));
     return 0;
 }
 int getline(char text[], int most)
@@ -65,11 +67,23 @@ int n;
 {
     return n < 2 ? 0 : 1 + log2(n / 2);
 }
+static long ginv(long n)
+{
+    return n + 1;
+}
+static exp2(n)
+{
+    return 1 << n;
+}
+static dprintf(n)
+{
+    return n;
+}
 END0
 for options in -O2 --long32 --races; do
     check "own functions: $options" "$BUILD/nxcc" $options -w -o own own.c
     echo "one two" | "$BUILD/touchstone" run -q -n 1 own >out 2>err
-    check "own functions: they are called" diff out <(printf '%s -5 4 2.0\n' one two)
+    check "own functions: they are called" diff out <(printf '%s -5 4 7 8 2.0\n' one two)
 done
 check "own functions: not called before, by the header's type" declares_wrongly 'long f() { return gray(1); } int gray(int n) { return n; }'
 check "own functions: a declaration needs a definition" declares_wrongly 'double gray(); double f(void) { return gray(1); }'

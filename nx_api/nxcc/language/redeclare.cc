@@ -16,7 +16,8 @@
  * A function that the program defines itself has the program's types, whatever a header says of it: a program
  * for the Delta brought a gopen of its own, cubes' dimensions came from `int log2();`, and getline was K&R's.
  * So another type holds, too, from the program's declaration on, and is an error at the end of the file if no
- * definition has followed; and at once if the function was called before, by the header's type.
+ * definition has followed; and at once if the function was called before, by the header's type. A static
+ * function is none of the header's.
  *
  * GCC asks the target for the attributes of each declaration just before it compares the declaration with
  * earlier ones. Only then can the type of a declaration be changed.
@@ -171,12 +172,26 @@ void scan_definition(tree decl)
     undefined.erase(name_of(decl));
 }
 
+/* Makes a header's declaration one of the program's static function. */
+void scan_static(tree decl)
+{
+    tree old = lookup_name(DECL_NAME(decl));
+    if (!old || old == decl || TREE_CODE(old) != FUNCTION_DECL || !TREE_PUBLIC(old) || DECL_INITIAL(old) ||
+        TREE_USED(old) || !by_header(old) || in_header(decl) || current_function_decl)
+        return;
+    give_program_s(old, decl);
+    if (!fndecl_built_in_p(old))
+        TREE_PUBLIC(old) = 0;
+}
+
 void insert_attributes(tree decl, tree *attributes)
 {
     if (TREE_CODE(decl) == FUNCTION_DECL && DECL_NAME(decl)) {
-        if (TREE_PUBLIC(decl) && decl == defined)
+        if (!TREE_PUBLIC(decl))
+            scan_static(decl);
+        else if (decl == defined)
             scan_definition(decl);
-        else if (TREE_PUBLIC(decl))
+        else
             scan_function(decl);
         defined = NULL_TREE; /* the next declaration may be at the same address */
     }
