@@ -118,9 +118,10 @@ hang() {
 hang
 # Each node answers each signal. (What a node has printed is a moment before where it hangs. On a busy computer mpirun may die of
 # the first signal.)
-answered() { [ "$(grep -c '^nx: node [0-2]: is ' err)" -ge $((3 * signals)) ]; }
+is_gone() { ! kill -0 $hanging 2>kill.err; }
+answered() { is_gone || [ "$(grep -c '^nx: node [0-2]: is ' err)" -ge $((3 * signals)) ]; }
 asked() {
-    kill -0 $hanging 2>kill.err || hang
+    if is_gone; then hang; fi
     kill -USR1 $hanging && signals=$((signals + 1)) && awaited answered &&
         grep -q 'is in crecv' err && grep -q 'is computing' err && grep -q 'is after' err
 }
