@@ -1,5 +1,5 @@
-/* signal_handlers.c - the handlers of signals, which a program calls that raises a signal itself. No other
- * signal comes to a node; what is blocked changes nothing. */
+/* signal_handlers.c - the handlers of signals, which a program calls that raises a signal itself, or aborts.
+ * No other signal comes to a node; what is blocked changes nothing. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <signal.h>
@@ -8,6 +8,7 @@
 
 /* The system's: */
 _Noreturn void nx_ends_by(int number);  /* what a signal without a handler does */
+void nx_at_abort(void (*f)(void));      /* what abort(3) calls first */
 int nx_kill(pid_t process, int number); /* to all processes of the program */
 
 static struct sigaction actions[NSIG]; /* all SIG_DFL */
@@ -20,11 +21,19 @@ static int may_be_handled(int number)
     return 0;
 }
 
+static void aborts(void)
+{
+    if (actions[SIGABRT].sa_handler != SIG_DFL)
+        raise(SIGABRT);
+}
+
 int sigaction(int number, const struct sigaction *to, struct sigaction *before)
 {
     if (!may_be_handled(number))
         return -1;
     struct sigaction was = actions[number];
+    if (to && number == SIGABRT)
+        nx_at_abort(aborts);
     if (to)
         actions[number] = *to;
     if (before)

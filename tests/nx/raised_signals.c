@@ -5,11 +5,13 @@
  * run: all
  */
 #define _GNU_SOURCE
+#include <assert.h>
 #include <errno.h>
 #include <nx.h>
 #include <setjmp.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 static volatile int calls, last, sender;
@@ -50,6 +52,18 @@ static int left_by_jumps(void)
     return jumps;
 }
 
+static int aborts(void)
+{
+    volatile int jumps = 0;
+    signal(SIGABRT, leave);
+    if (sigsetjmp(back, 1))
+        jumps++;
+    if (jumps < 2)
+        abort();
+    assert(jumps == 4 || ++jumps == 0);
+    return jumps;
+}
+
 static void check(const char *what, int good)
 {
     if (!good)
@@ -65,6 +79,7 @@ int main(void)
     check("sigaction", sigaction(SIGFPE, &once, NULL) == 0 && is_called(SIGFPE) && sender == getpid());
     check("called once", sigaction(SIGFPE, NULL, &now) == 0 && now.sa_handler == SIG_DFL);
     check("siglongjmp", left_by_jumps() == 5);
+    check("abort, assert", aborts() == 4);
     check("sigset", sigset(SIGUSR2, count) == SIG_DFL && is_called(SIGUSR2));
     check("sigignore", sigignore(SIGUSR2) == 0 && raise(SIGUSR2) == 0);
     check("kill",

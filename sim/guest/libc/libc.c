@@ -154,9 +154,28 @@ _Noreturn void node__Exit(int code)
     node__exit(code);
 }
 
+/* abort(3) and assert(3) call f first, which calls the program's handler of SIGABRT
+ * (nx_api/libc/signal_handlers.c). */
+void node_nx_at_abort(void (*f)(void))
+{
+    libc_of(node_self())->at_abort = f;
+}
+
+static bool has_at_abort(struct node *n)
+{
+    return n->guest.libc && n->guest.libc->at_abort;
+}
+
+static void run_at_abort(struct node *n)
+{
+    if (has_at_abort(n))
+        crossing_call(n->guest.libc->at_abort, 0, 0, 0, 0, 0);
+}
+
 _Noreturn void node_abort(void)
 {
     struct node *n = node_self();
+    run_at_abort(n);
     node_libc_flush(n);
     node_fail(n, "abort");
 }
@@ -164,6 +183,10 @@ _Noreturn void node_abort(void)
 _Noreturn void node___assert_fail(const char *what, const char *file, unsigned line, const char *function)
 {
     struct node *n = node_self();
+    if (has_at_abort(n)) /* the handler may not return */
+        fprintf(stream_standard(n, STDERR_FILENO), "%s:%u: %s: Assertion `%s' failed.\n", file, line,
+                function, what);
+    run_at_abort(n);
     node_libc_flush(n);
     node_fail(n, "%s:%u: %s: assertion '%s' failed", file, line, function, what);
 }

@@ -54,6 +54,7 @@ struct node_libc {
     unsigned temporary_names;
     void (**atexit)(void);
     size_t atexit_count;
+    void (*at_abort)(void); /* NULL: the program has no handler of SIGABRT */
 };
 
 /* The node's part, which is made when it is first used: many programs call nothing that needs one. */
