@@ -42,7 +42,7 @@ cat >own.c <<'END0'
 #include <math.h>
 #include <mesh.h>
 #include <stdio.h>
-int getline(char text[], int most);
+int getline();
 int log2();
 static long ginv(long n);
 static exp2();
@@ -58,7 +58,9 @@ int main(void)
         printf("%s %d %d %ld %d %.1f\n", text, gray(5), log2(17), ginv(6), exp2(3), sqrt(4));
     return 0;
 }
-int getline(char text[], int most)
+int getline(text, most)
+char text[];
+int most;
 {
     return scanf("%79s", text) == 1 && most == 80;
 }

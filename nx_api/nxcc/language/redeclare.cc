@@ -30,6 +30,7 @@
 #include <string>
 #include "base/c_frontend.h"
 #include "language/redeclare.h"
+#include "language/statics.h"
 #include "target.h"
 
 namespace
@@ -137,12 +138,14 @@ void reconcile(tree old, tree fresh)
     if (!old_holds && !fresh_holds)
         return;
     tree program = old_holds ? fresh : old, header = old_holds ? old : fresh;
-    if (alike(TREE_TYPE(old), TREE_TYPE(fresh))) {
+    bool are_alike = alike(TREE_TYPE(old), TREE_TYPE(fresh));
+    if (are_alike && !(old_holds && defined_in_text(name_of(program)))) {
         TREE_TYPE(program) = TREE_TYPE(header) = type_that_holds(header, program);
         DECL_ARGUMENTS(program) = NULL_TREE;
     } else if (old_holds && !TREE_USED(old)) {
         give_program_s(header, program);
-        undefined.emplace(name_of(program), DECL_SOURCE_LOCATION(program));
+        if (!are_alike)
+            undefined.emplace(name_of(program), DECL_SOURCE_LOCATION(program));
     }
 }
 
@@ -221,7 +224,7 @@ void begin_definition(void *decl, void *)
 void end_of_file(void *, void *)
 {
     for (const auto &[name, place] : undefined)
-        error_at(place, "conflicting types for %qs, which a header declares, and this file does not define",
+        error_at(place, "conflicting types for %qs: a header declares it, and this file does not define it",
                  name.c_str());
 }
 

@@ -27,7 +27,8 @@ struct cpp_buffer {
 
 namespace
 {
-std::set<std::string> names; /* of functions that are defined as static */
+std::set<std::string> names;   /* of functions that are defined as static */
+std::set<std::string> defined; /* functions that are defined, also as static */
 void (*next_file_change)(cpp_reader *, const line_map_ordinary *);
 
 /* --- the text as tokens: without comments, strings and directives --- */
@@ -168,6 +169,8 @@ void scan_text(char *begin, char *end)
             names.insert(text_of(t[name]));
         else if (name && depth > 0)
             in_blocks.push_back(i);
+        if (depth == 0 && !t[i].mark && i + 1 < t.size() && t[i + 1].mark == '(' && is_definition(t, i))
+            defined.insert(text_of(t[i]));
     }
     for (size_t i : in_blocks)
         if (declares_only_them(t, function_name(t, i)))
@@ -226,6 +229,11 @@ void finish_function(void *, void *)
         make_static(identifier_global_value(get_identifier(name.c_str())));
 }
 } // namespace
+
+bool defined_in_text(const char *function)
+{
+    return defined.count(function);
+}
 
 void statics_register(const char *plugin)
 {
