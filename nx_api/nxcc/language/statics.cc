@@ -27,8 +27,8 @@ struct cpp_buffer {
 
 namespace
 {
-std::set<std::string> names;   /* of functions that are defined as static */
-std::set<std::string> defined; /* functions that are defined, also as static */
+std::set<std::string> names;    /* of functions that are defined as static */
+std::set<std::string> has_body; /* functions that are defined, also as static */
 void (*next_file_change)(cpp_reader *, const line_map_ordinary *);
 
 /* --- the text as tokens: without comments, strings and directives --- */
@@ -170,7 +170,7 @@ void scan_text(char *begin, char *end)
         else if (name && depth > 0)
             in_blocks.push_back(i);
         if (depth == 0 && !t[i].mark && i + 1 < t.size() && t[i + 1].mark == '(' && is_definition(t, i))
-            defined.insert(text_of(t[i]));
+            has_body.insert(text_of(t[i]));
     }
     for (size_t i : in_blocks)
         if (declares_only_them(t, function_name(t, i)))
@@ -232,7 +232,7 @@ void finish_function(void *, void *)
 
 bool defined_in_text(const char *function)
 {
-    return defined.count(function);
+    return has_body.count(function);
 }
 
 void statics_register(const char *plugin)
