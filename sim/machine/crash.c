@@ -259,6 +259,13 @@ static bool is_behind(uintptr_t address, const char *end)
     return address - (uintptr_t)end < 1 << 16;
 }
 
+/* The stack ends where the program begins. The first page of the program is the head of its file, to which
+ * no pointer leads: who writes there has come from the stack. */
+static bool is_above_stack(const struct node *n, uintptr_t address)
+{
+    return address - (uintptr_t)n->guest.program < 4096;
+}
+
 static void print_cause(FILE *f, const struct node *n)
 {
     const struct node_crash *g = n->cold->crash;
@@ -281,6 +288,9 @@ static void print_cause(FILE *f, const struct node *n)
         fprintf(f, ": 0x%zx, a member of a null pointer, or a number that is no address", (size_t)g->address);
     else if (owner && owner != n)
         fprintf(f, ": 0x%zx, in the memory of %s", (size_t)g->address, owner->cold->name);
+    else if (memory && is_above_stack(n, g->address) && g->address != g->frames[0])
+        fprintf(f, ": 0x%zx, past the end of its stack (is an array too small for what is written into it?)",
+                (size_t)g->address);
     else if (memory && g->address - (uintptr_t)n->guest.program < n->guest.image_bytes &&
              g->address != g->frames[0])
         fprintf(f,

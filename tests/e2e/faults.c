@@ -166,6 +166,8 @@ int main(int argc, char **argv)
         copy(buf);
     if (!strcmp(how, "constant"))
         overflow((char *)"a text in quotes" + zero, 0);
+    if (!strcmp(how, "stack_end"))
+        memset(buf + zero, 0, 1 << 16);
     if (!strcmp(how, "no_pointer")) {
         double number = 1.5;
         memcpy((void *)&low, &number, sizeof low);
