@@ -1,4 +1,5 @@
 /* test_deadlock.c - wait-for graphs as people see them: nodes that share a box, edges between boxes. */
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -141,6 +142,23 @@ static void test_many_states(void **state)
     waitfor_free(w);
 }
 
+/* No box touches another, nor the shadow that a box of several nodes has, however many there are. */
+static void test_apart(void **state)
+{
+    (void)state;
+    const double shadow = 6;
+    for (uint32_t count = 2; count <= DEADLOCK_MOST_BOXES; count++) {
+        const struct deadlock_graph g = {.count = count};
+        struct deadlock_layout l = deadlock_layout_make(&g);
+        for (uint32_t k = 0; k < count; k++)
+            for (uint32_t j = 0; j < k; j++) {
+                struct plot a = l.places[k], b = l.places[j];
+                assert_true(fabs(a.x - b.x) >= a.w + shadow || fabs(a.y - b.y) >= a.h + shadow);
+            }
+        free(l.places);
+    }
+}
+
 static void summary_says(long awaited, const char *expected)
 {
     struct waitfor *w = ring_as_it_is(3);
@@ -228,9 +246,11 @@ static void test_read(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_small_cycle), cmocka_unit_test(test_long_cycle),  cmocka_unit_test(test_groups),
-        cmocka_unit_test(test_any),         cmocka_unit_test(test_many_states), cmocka_unit_test(test_legend),
-        cmocka_unit_test(test_read),        cmocka_unit_test(test_summary),
+        cmocka_unit_test(test_small_cycle), cmocka_unit_test(test_long_cycle),
+        cmocka_unit_test(test_groups),      cmocka_unit_test(test_any),
+        cmocka_unit_test(test_many_states), cmocka_unit_test(test_apart),
+        cmocka_unit_test(test_legend),      cmocka_unit_test(test_read),
+        cmocka_unit_test(test_summary),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

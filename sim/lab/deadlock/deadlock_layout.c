@@ -3,7 +3,7 @@
 #include <math.h>
 #include "kernel/xalloc.h"
 
-enum { MOST_ON_ELLIPSE = 12, COLUMNS = 3, ROW = DEADLOCK_BOX_HEIGHT + 46, MARGIN = 34 };
+enum { MOST_ON_ELLIPSE = 10, COLUMNS = 3, ROW = DEADLOCK_BOX_HEIGHT + 46, MARGIN = 34 };
 
 struct ellipse {
     uint32_t count;
