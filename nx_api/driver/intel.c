@@ -97,19 +97,10 @@ static void make_link(const char *folder, const char *name, const char *target)
     free(link);
 }
 
-/* This compiler's path; malloc'd. */
-static char *own_path(void)
-{
-    char *self = realpath("/proc/self/exe", NULL);
-    if (!self)
-        fail("/proc/self/exe: %s", strerror(errno));
-    return self;
-}
-
 /* Links to this compiler in a folder, which is made if need be; names end with NULL. */
 static void make_links(const char *folder, const char *const *names)
 {
-    char *self = own_path();
+    char *self = places_self();
     if (mkdir(folder, 0777) && errno != EEXIST)
         fail("%s: %s", folder, strerror(errno));
     for (; *names; names++)
@@ -195,11 +186,10 @@ bool intel_is_mpi_name(void)
 /* mpiexec, as makefiles and tests call it. */
 static void write_mpiexec(const char *folder)
 {
-    char *path = clear(folder, "mpiexec"), *self = own_path();
+    char *path = clear(folder, "mpiexec"), *own = places_folder();
     int fd = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0777);
     if (fd < 0)
         fail("%s: %s", path, strerror(errno));
-    *strrchr(self, '/') = '\0';
     dprintf(
         fd,
         "#!/bin/sh\n"
@@ -214,12 +204,12 @@ static void write_mpiexec(const char *folder)
         "    esac\n"
         "done\n"
         "exec '%s/touchstone' run -q $TOUCHSTONE_RUN $nodes \"$@\"\n",
-        self);
+        own);
     if (close(fd))
         fail("%s: %s", path, strerror(errno));
     printf("%s -> touchstone run\n", path);
     free(path);
-    free(self);
+    free(own);
 }
 
 _Noreturn void intel_mpi_links(const char *folder)

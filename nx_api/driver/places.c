@@ -21,15 +21,25 @@ static bool readable_in(const char *directory, const char *name)
     return yes;
 }
 
-struct places places_find(void)
+char *places_self(void)
 {
     char self[PATH_MAX];
-    ssize_t n = readlink("/proc/self/exe", self, sizeof self - 1);
+    ssize_t n = readlink("/proc/self/exe", self, sizeof self);
     if (n < 0)
         fail("/proc/self/exe: %s", strerror(errno));
-    self[n] = '\0';
-    *strrchr(self, '/') = '\0';
+    return text("%.*s", (int)n, self);
+}
 
+char *places_folder(void)
+{
+    char *self = places_self();
+    *strrchr(self, '/') = '\0';
+    return self;
+}
+
+struct places places_find(void)
+{
+    char *self = places_folder();
     char *built = text("%s/node", self);
     if (readable_in(built, "count.so"))
         return (struct places){.lib = built,

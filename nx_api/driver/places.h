@@ -17,6 +17,9 @@ struct places {
     char *mpi_include; /* mpi.h */
 };
 
+/* The path of nxcc itself, and the folder that it is in; for free(). */
+char *places_self(void);
+char *places_folder(void);
 struct places places_find(void);
 /* Is that file MPI's library for simulated nodes? (CMake names it instead of -lmpi.) */
 bool places_is_mpi_library(const char *file);
