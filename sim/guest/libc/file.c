@@ -195,11 +195,24 @@ static bool is_on_host(struct node *n, const char **path)
     return true;
 }
 
-struct node_file *file_open(struct node *n, const char *path, int flags, mode_t permissions)
+/* has_less: where the file may only be read, O_RDWR is an error that the caller has an answer to. */
+static struct node_file *open_on_host(struct node *n, const char *path, int flags, mode_t permissions,
+                                      bool has_less)
+{
+    int fd = fence_open(n->sys->fence, path, flags | O_CLOEXEC, permissions);
+    if (has_less && fd == FENCE_REFUSED && (flags & O_ACCMODE) == O_RDWR &&
+        fence_refusal(n->sys->fence).readable) {
+        errno = EROFS;
+        return NULL;
+    }
+    return file_of_host(n, host_answer(n, fd), flags);
+}
+
+static struct node_file *open_file(struct node *n, const char *path, int flags, mode_t permissions,
+                                   bool has_less)
 {
     if (is_on_host(n, &path))
-        return file_of_host(
-            n, host_answer(n, fence_open(n->sys->fence, path, flags | O_CLOEXEC, permissions)), flags);
+        return open_on_host(n, path, flags, permissions, has_less);
     bool masked = enter(n, "open");
     struct node_file *f = fs_of(n)->open(fs_of(n)->ctx, n, path, flags, permissions);
     leave(n, masked);
@@ -208,16 +221,14 @@ struct node_file *file_open(struct node *n, const char *path, int flags, mode_t 
     return f;
 }
 
+struct node_file *file_open(struct node *n, const char *path, int flags, mode_t permissions)
+{
+    return open_file(n, path, flags, permissions, false);
+}
+
 struct node_file *file_open_fortran(struct node *n, const char *path, int flags, mode_t permissions)
 {
-    if (!is_on_host(n, &path))
-        return file_open(n, path, flags, permissions);
-    int fd = fence_open(n->sys->fence, path, flags | O_CLOEXEC, permissions);
-    if (fd == FENCE_REFUSED && (flags & O_ACCMODE) == O_RDWR && fence_refusal(n->sys->fence).readable) {
-        errno = EROFS;
-        return NULL;
-    }
-    return file_of_host(n, host_answer(n, fd), flags);
+    return open_file(n, path, flags, permissions, true);
 }
 
 struct node_file *file_open_temporary(struct node *n, const char *path, int flags)
