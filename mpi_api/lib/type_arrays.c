@@ -73,7 +73,7 @@ static struct type *distributed(const struct type *inner, MPI_Aint step, int siz
     return t;
 }
 
-/* What is wrong with a dimension of a distributed array: an error. */
+/* Can the dimension of a distributed array be shared out? MPI_SUCCESS, or an error. */
 static int check_distribution(int d, int size, int kind, int block, int parts)
 {
     bool none = kind == MPI_DISTRIBUTE_NONE, whole = kind == MPI_DISTRIBUTE_BLOCK;

@@ -19,7 +19,7 @@ void asan_in_call(struct node *n, bool write, const void *at, size_t bytes, cons
         if (__builtin_expect((n)->asan != NULL, 0))                                                          \
             asan_in_call((n), (write), (at), (bytes), __builtin_frame_address(0));                           \
     } while (0)
-/* The same of a call of a library that is a part of the program; NULL: a handler's message comes. */
+/* A call, also of a library that is a part of the program, does that; NULL: a handler's message comes. */
 void asan_in_library(struct node *n, const char *call, bool write, const void *at, size_t bytes,
                      const void *frame);
 /* All frames of the program may be gone: red zones of local variables are forgotten. */

@@ -273,7 +273,7 @@ int fence_open_temporary(struct fence *f, const char *path, int flags)
     if (!temporary && check(f, f->real, WRITES))
         return closed(p.folder, FENCE_REFUSED);
     int fd = openat(p.folder, p.name, flags | O_CREAT | O_EXCL | O_NOFOLLOW, 0600);
-    if (fd >= 0 && temporary && check(f, f->real, WRITES)) /* not there of a file of that name before */
+    if (fd >= 0 && temporary && check(f, f->real, WRITES)) /* else an earlier file of that name is noted */
         add(f, f->real, true);
     return closed(p.folder, fd);
 }

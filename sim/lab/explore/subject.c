@@ -21,7 +21,7 @@ static json_t *digest_json(struct digest d)
     return json_string(text);
 }
 
-/* Of a text that is not UTF-8, its digest. NULL: null. */
+/* A text as JSON: itself; its digest if it is not UTF-8; null of NULL. */
 static json_t *text_json(const char *text)
 {
     json_t *string = json_string_or_null(text);

@@ -65,7 +65,7 @@ static int decimals_of(const struct fit *f, const struct fit_result *r, size_t o
     return most > 0 && most < 1e5 ? 5 - (int)floor(log10(most)) : 0;
 }
 
-/* Those that the measurement was given with, but at most. */
+/* The decimals that a measurement was given with, at most so many. */
 static int decimals_given(const struct fit_measurement *m, int most)
 {
     return (int)fmin(most, fmax(0, -round(log10(2 * m->half))));
