@@ -141,7 +141,6 @@ struct neighbors {
 static void grid_neighbors(const struct topology *t, int rank, struct neighbors *n)
 {
     int *coords = get_memory((size_t)t->dims * sizeof *coords);
-    n->ins = n->outs = 2 * t->dims;
     n->in = n->out = get_memory((size_t)n->ins * sizeof *n->in);
     topology_coords(t, rank, coords);
     for (int d = 0; d < t->dims; d++) {
@@ -154,27 +153,45 @@ static void grid_neighbors(const struct topology *t, int rank, struct neighbors 
     free(coords);
 }
 
-static struct neighbors neighbors(const struct coll *o)
+/* So many, in, and out; their lists, but for a grid. */
+static struct neighbors listed_neighbors(const struct coll *o)
 {
     const struct topology *t = o->c->topology;
-    struct neighbors n = {t->edge_count, t->outs, t->edges, t->dests};
-    if (t->kind == MPI_CART) {
-        grid_neighbors(t, o->rank, &n);
-    } else if (t->kind == MPI_GRAPH) {
-        int first = o->rank ? t->ends[o->rank - 1] : 0;
-        n.in = n.out = t->edges + first;
-        n.ins = n.outs = t->ends[o->rank] - first;
-    }
+    if (t->kind == MPI_CART)
+        return (struct neighbors){2 * t->dims, 2 * t->dims, NULL, NULL};
+    if (t->kind != MPI_GRAPH)
+        return (struct neighbors){t->edge_count, t->outs, t->edges, t->dests};
+    int first = o->rank ? t->ends[o->rank - 1] : 0, count = t->ends[o->rank] - first;
+    return (struct neighbors){count, count, t->edges + first, t->edges + first};
+}
+
+static struct neighbors neighbors(const struct coll *o)
+{
+    struct neighbors n = listed_neighbors(o);
+    if (o->c->topology->kind == MPI_CART)
+        grid_neighbors(o->c->topology, o->rank, &n);
     return n;
 }
 
 /* --- the collectives --- */
 
+/* Lists, or the same for all. */
+static int check_parts(const struct coll *o, int parts, const int *counts, int count,
+                       const MPI_Datatype *types, MPI_Datatype type)
+{
+    int code = MPI_SUCCESS;
+    for (int i = 0; i < (counts ? parts : 1) && !code; i++)
+        code = coll_check(o, counts ? counts[i] : count, types ? types[i] : type);
+    return code;
+}
+
 static int check_exchange(struct args *a)
 {
     if (!a->o.c->topology)
         return fail(a->o.c, a->o.call, MPI_ERR_TOPOLOGY, "the communicator has neither a grid nor a graph");
-    return MPI_SUCCESS;
+    struct neighbors n = listed_neighbors(&a->o);
+    int code = check_parts(&a->o, a->same ? 1 : n.outs, a->counts, a->count, a->types, a->type);
+    return code ? code : check_parts(&a->o, n.ins, a->rooms, a->room, a->ases, a->as);
 }
 
 /* Where the i-th part lies. */

@@ -1,7 +1,7 @@
 /* ops.c - the operations of reductions: MPI's own element by element, the program's as functions. */
 #include <complex.h>
 #include <stdlib.h>
-#include "lib.h"
+#include "tasks.h"
 
 /* --- MPI's own --- */
 
@@ -206,7 +206,7 @@ static unsigned classes_of(uintptr_t op)
         return 1 << WHOLE | 1 << NATURAL | 1 << LOGICAL | 1 << REAL;
     if (op >= BAND_NUMBER && op <= BXOR_NUMBER)
         return 1 << WHOLE | 1 << NATURAL | 1 << BITS | 1 << LOGICAL;
-    return ~0u;
+    return 0;
 }
 
 const char *op_refuses(MPI_Op op, MPI_Datatype t)
@@ -217,16 +217,37 @@ const char *op_refuses(MPI_Op op, MPI_Datatype t)
     if (!b)
         return "an operation of MPI's own is for MPI's own datatypes: for others there is MPI_Op_create";
     if (!(classes_of((uintptr_t)op) & 1u << b->class))
-        return "the operation is not for this datatype";
+        return op == MPI_REPLACE || op == MPI_NO_OP ? "the operation is for accesses to windows only"
+                                                    : "the operation is not for this datatype";
     return NULL;
 }
 
 /* --- both --- */
 
+struct application {
+    MPI_User_function *function;
+    void *in, *inout;
+    int count;
+    MPI_Datatype type;
+};
+
+static void apply(void *application)
+{
+    struct application *a = application;
+    a->function(a->in, a->inout, &a->count, &a->type);
+}
+
+static RUN_SELDOM void apply_in_task(const struct op *own, void *in, void *inout, int count, MPI_Datatype t)
+{
+    tasks_call(apply, &(struct application){own->function, in, inout, count, t});
+}
+
 void op_apply(MPI_Op op, void *in, void *inout, int count, MPI_Datatype t)
 {
     struct op *own = op_is_own(op) ? NULL : object_of(op, OP);
-    if (own) {
+    if (own && tasks_under_way) {
+        apply_in_task(own, in, inout, count, t);
+    } else if (own) {
         own->function(in, inout, &count, &t);
     } else if (op == MPI_REPLACE) {
         type_copy(in, count, t, inout, count, t);

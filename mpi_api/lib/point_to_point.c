@@ -211,6 +211,13 @@ RUN_OFTEN static inline void start_receive(struct request *r)
     r->id = (int)nxm_irecv(&r->envelope, at, (long)r->room);
 }
 
+static RUN_SELDOM void start_buffered(struct request *r)
+{
+    struct transfer t = {r->envelope.call, r->buf,        r->count, r->type, r->peer,
+                         r->envelope.tag,  MPI_COMM_NULL, BUFFERED, r->comm};
+    r->status.MPI_ERROR = buffered_send(&t);
+}
+
 RUN_OFTEN void request_start(struct request *r)
 {
     r->active = true;
@@ -220,9 +227,7 @@ RUN_OFTEN void request_start(struct request *r)
         if (r->what == RECEIVES)
             status_of_nobody(&r->status);
     } else if (SELDOM(r->mode == BUFFERED) && r->what == SENDS) {
-        struct transfer t = {r->envelope.call, r->buf,        r->count, r->type, r->peer,
-                             r->envelope.tag,  MPI_COMM_NULL, BUFFERED, r->comm};
-        buffered_send(&t);
+        start_buffered(r);
     } else if (r->what == SENDS) {
         start_send(r);
     } else {

@@ -18,8 +18,8 @@ RUN_OFTEN struct request *request_new(void)
     return r;
 }
 
-/* Requests that programs free while they are under way: their ids are kept until they are done. */
-static int *orphans, orphan_count;
+/* Sends that programs free while they are under way, linked by `extra`. */
+static struct request *orphans;
 
 RUN_OFTEN void request_drop(struct request *r)
 {
@@ -315,13 +315,13 @@ static int wait_any(int call, bool waits, int count, MPI_Request requests[], int
     struct many m;
     int code = gather(&m, call, count, requests);
     if (code)
-        return code;
+        return *index = MPI_UNDEFINED, code;
     *flag = true, *index = MPI_UNDEFINED;
     if (!m.active) {
         status_empty(status);
         return MPI_SUCCESS;
     }
-    if (!m.done && waits && m.generals && m.active == 1)
+    if (waits && m.generals == m.active)
         return no_end(call);
     if (!m.done && waits)
         wait_for_one(&m, NXM_ANY);
@@ -350,11 +350,11 @@ static int wait_some(int call, bool waits, int count, MPI_Request requests[], in
 {
     struct many m;
     int code = gather(&m, call, count, requests), n = 0;
-    if (code)
+    *done = m.active && !code ? 0 : MPI_UNDEFINED;
+    if (code || !m.active)
         return code;
-    *done = m.active ? 0 : MPI_UNDEFINED;
-    if (!m.active)
-        return MPI_SUCCESS;
+    if (waits && m.generals == m.active)
+        return no_end(call);
     if (!m.done && waits)
         wait_for_one(&m, NXM_SOME);
     else if (m.active > m.done)
@@ -412,7 +412,8 @@ static int start(int call, MPI_Request request)
         coll_restart(r);
     else
         request_start(r);
-    return MPI_SUCCESS;
+    r->active = !r->status.MPI_ERROR;
+    return r->status.MPI_ERROR;
 }
 
 CALL(Start, (MPI_Request * request))
@@ -428,16 +429,40 @@ CALL(Startall, (int count, MPI_Request requests[]))
     return code;
 }
 
-/* Gives back the ids of freed requests that are done. */
+/* Ends the freed sends that are done. */
 static void settle_orphans(void)
 {
-    int left = 0;
-    for (int i = 0; i < orphan_count; i++) {
+    for (struct request **link = &orphans, *r; (r = *link);) {
         struct nxm_status s;
-        if (!nxm_complete(&(struct nxm_completion){CALL_Request_free, NXM_ALL, 1, &orphans[i], &s}))
-            orphans[left++] = orphans[i];
+        if (nxm_complete(&(struct nxm_completion){CALL_Request_free, NXM_ALL, 1, &r->id, &s})) {
+            *link = r->extra;
+            request_drop(r);
+        } else {
+            link = (struct request **)&r->extra;
+        }
     }
-    orphan_count = left;
+}
+
+/* A freed receive, as a task: its message comes into the buffer all the same. */
+static int receive_rest(struct args *a)
+{
+    struct request *r = a->into;
+    struct nxm_status s = {0};
+    tasks_complete(&(struct nxm_completion){CALL_Request_free, NXM_WAIT, 1, &r->id, &s});
+    return request_finish(r, CALL_Request_free, &s, NULL);
+}
+
+/* The request goes on without its handle. */
+static void orphan(struct request *r)
+{
+    r->object.kind = NO_KIND;
+    r->persistent = false;
+    if (r->what == RECEIVES) {
+        task_detach(task_start(receive_rest, &(struct args){.into = r}));
+    } else {
+        r->extra = orphans;
+        orphans = r;
+    }
 }
 
 CALL(Request_free, (MPI_Request * request))
@@ -446,18 +471,15 @@ CALL(Request_free, (MPI_Request * request))
     if (!r)
         return fail(NULL, CALL_Request_free, MPI_ERR_REQUEST, "the request is null, or has been freed");
     settle_orphans();
-    if (r->active && r->id) {
-        orphans = realloc(orphans, (size_t)(orphan_count + 1) * sizeof *orphans);
-        orphans[orphan_count++] = r->id;
-        r->packed = NULL; /* the message may be on its way from or to it */
-    }
+    *request = MPI_REQUEST_NULL;
+    if (r->active && r->id)
+        return orphan(r), MPI_SUCCESS;
     if (r->what == MOVES)
         wait_for_file(CALL_Request_free, r);
     int code = r->what == GENERAL && r->count && r->release ? r->release(r->extra) : MPI_SUCCESS;
     if (r->prepared)
         coll_forget(r->prepared);
     request_drop(r);
-    *request = MPI_REQUEST_NULL;
     return code;
 }
 

@@ -9,10 +9,12 @@ struct task {
     struct task *next;
     coll_run *run;
     struct args args;
-    bool done;
+    bool done, detached;
     int result;
     void *own_stack, *main_stack; /* where each has left off */
     const struct nxm_completion *awaits;
+    void (*calls)(void *); /* what is to be called on the program's stack */
+    void *with;
     char stack[STACK_BYTES] __attribute__((aligned(16)));
 };
 
@@ -49,8 +51,25 @@ static void leave(struct task *t)
 
 static void go_on(struct task *t)
 {
-    current = t;
-    mpi_switch_stacks(&t->main_stack, t->own_stack);
+    for (;;) {
+        t->calls = NULL;
+        current = t;
+        mpi_switch_stacks(&t->main_stack, t->own_stack);
+        if (!t->calls)
+            return;
+        t->calls(t->with);
+    }
+}
+
+void tasks_call(void (*function)(void *), void *with)
+{
+    struct task *t = current;
+    if (!t) {
+        function(with);
+    } else {
+        t->calls = function, t->with = with;
+        leave(t);
+    }
 }
 
 static void body(void)
@@ -76,12 +95,14 @@ static void run(struct task *t)
     go_on(t);
     if (t->done)
         unlink_task(t);
+    if (t->done && t->detached)
+        task_end(t);
 }
 
 struct task *task_start(coll_run *function, const struct args *a)
 {
     struct task *t = get_memory(sizeof *t), **last = &tasks;
-    t->next = NULL, t->run = function, t->args = *a, t->done = false;
+    t->next = NULL, t->run = function, t->args = *a, t->done = t->detached = false;
     args_keep(a);
     /* Six registers, of no meaning, and where the first switch returns to; the stack as a call leaves it. */
     void **top = (void **)(t->stack + STACK_BYTES) - 1;
@@ -95,6 +116,13 @@ struct task *task_start(coll_run *function, const struct args *a)
     tasks_under_way++;
     run(t);
     return t;
+}
+
+void task_detach(struct task *t)
+{
+    t->detached = true;
+    if (t->done)
+        task_end(t);
 }
 
 bool task_is_done(const struct task *t)

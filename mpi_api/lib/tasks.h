@@ -11,6 +11,11 @@ struct task *task_start(coll_run *run, const struct args *a);
 bool task_is_done(const struct task *t);
 /* The result of one that is done; frees it. */
 int task_end(struct task *t);
+/* Nobody asks for its result: it is freed once it is done. */
+void task_detach(struct task *t);
+
+/* Calls a function of the program: on the program's stack, not on a task's, which is small. */
+void tasks_call(void (*function)(void *), void *with);
 
 extern int tasks_under_way;
 bool tasks_go_on_and_complete(const struct nxm_completion *c);

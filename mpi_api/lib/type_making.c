@@ -30,11 +30,17 @@ static void add_run(struct type *t, int *room, struct run r)
 void type_add(struct type *t, int *room, const struct type *old, int count, MPI_Aint at)
 {
     MPI_Aint extent = type_extent(old);
-    for (int i = 0; i < count; i++) {
-        MPI_Aint here = at + i * extent;
-        for (int k = 0; k < old->runs; k++)
-            add_run(t, room, (struct run){here + old->run[k].at, old->run[k].bytes, old->run[k].unit});
-        t->size += old->size;
+    if (count > 0)
+        t->size += (size_t)count * old->size;
+    if (old->runs == 1 && (MPI_Aint)old->run->bytes == extent) { /* the elements are one run */
+        if (count > 0)
+            add_run(t, room,
+                    (struct run){at + old->run->at, (size_t)count * old->run->bytes, old->run->unit});
+    } else {
+        for (int i = 0; i < count; i++)
+            for (int k = 0; k < old->runs; k++)
+                add_run(t, room,
+                        (struct run){at + i * extent + old->run[k].at, old->run[k].bytes, old->run[k].unit});
     }
     const bool marks = !old->size; /* has places of markers at most, and no data */
     if (count <= 0 || (marks && !old->has_lb && !old->has_ub))

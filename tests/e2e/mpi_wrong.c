@@ -84,6 +84,34 @@ static int unpack_place(void)
 WRONG(local_count, MPI_Reduce_local(from, into, -1, MPI_INT, MPI_SUM))
 WRONG(no_function, MPI_Op_create(NULL, 1, &(MPI_Op){MPI_OP_NULL}))
 WRONG(ibsend, MPI_Ibsend(from, 1, MPI_INT, 0, 0, MPI_COMM_WORLD, &request))
+static int start_buffered(void)
+{
+    MPI_Bsend_init(from, 1, MPI_INT, 0, 0, MPI_COMM_WORLD, &request);
+    return MPI_Start(&request);
+}
+WRONG(replace, MPI_Allreduce(from, into, 1, MPI_INT, MPI_REPLACE, MPI_COMM_WORLD))
+static int neighbor_type(void)
+{
+    MPI_Cart_create(MPI_COMM_WORLD, 1, &size, ones, 0, &comm);
+    return MPI_Neighbor_alltoall(from, 1, MPI_DATATYPE_NULL, into, 1, MPI_INT, comm);
+}
+static int neighbor_count(void)
+{
+    MPI_Cart_create(MPI_COMM_WORLD, 1, &size, ones, 0, &comm);
+    return MPI_Neighbor_alltoallv(from, ones, zeros, MPI_INT, into, (int[]){1, -1}, zeros, MPI_INT, comm);
+}
+static MPI_Request generals[2];
+static int wait_general(void)
+{
+    for (int i = 0; i < 2; i++)
+        MPI_Grequest_start(NULL, NULL, NULL, NULL, &generals[i]);
+    return MPI_Waitany(2, generals, &at, MPI_STATUS_IGNORE);
+}
+static int some_general(void)
+{
+    MPI_Grequest_start(NULL, NULL, NULL, NULL, generals);
+    return MPI_Waitsome(1, generals, &at, &at, MPI_STATUSES_IGNORE);
+}
 static int mrecv_count(void)
 {
     MPI_Send(from, 1, MPI_INT, rank, 0, MPI_COMM_WORLD);
@@ -325,6 +353,63 @@ static int large_pack(void)
     return at == MPI_UNDEFINED ? code : MPI_ERR_OTHER;
 }
 
+/* A receive that is freed before its message comes gets it all the same. */
+static int freed(void)
+{
+    MPI_Request requests[2];
+    int other = rank ^ 1, right = 0;
+    for (int i = 0; i < MOST; i++)
+        from[i] = i + 1;
+    MPI_Type_vector(4, 1, 2, MPI_INT, &type);
+    MPI_Type_commit(&type);
+    MPI_Irecv(into, 1, type, other, 1, MPI_COMM_WORLD, &requests[0]);
+    MPI_Irecv(into + 8, 4, MPI_INT, other, 2, MPI_COMM_WORLD, &requests[1]);
+    MPI_Request_free(&requests[0]);
+    MPI_Request_free(&requests[1]);
+    MPI_Type_free(&type);
+    MPI_Send(from, 4, MPI_INT, other, 1, MPI_COMM_WORLD);
+    MPI_Send(from, 4, MPI_INT, other, 2, MPI_COMM_WORLD);
+    MPI_Barrier(MPI_COMM_WORLD);
+    for (int i = 0; i < 4; i++)
+        right += (into[2 * i] == i + 1) + (into[8 + i] == i + 1);
+    return right == 8 ? MPI_SUCCESS : MPI_ERR_OTHER;
+}
+
+/* A function of the program has the program's stack, also in a collective with a request. */
+static void add(void *in, void *inout, int *count, MPI_Datatype *kind)
+{
+    volatile int copy[50000];
+    (void)kind;
+    for (int i = 0; i < 50000; i++)
+        copy[i] = ((int *)in)[i % *count];
+    for (int i = 0; i < *count; i++)
+        ((int *)inout)[i] += copy[49999 - 49999 % *count - *count + i];
+}
+
+static int large_function(void)
+{
+    MPI_Op op;
+    ones[1] = rank;
+    MPI_Op_create(add, 1, &op);
+    MPI_Iallreduce(ones, into, 2, MPI_INT, op, MPI_COMM_WORLD, &request);
+    MPI_Wait(&request, MPI_STATUS_IGNORE);
+    return into[0] == 2 && into[1] == 1 ? MPI_SUCCESS : MPI_ERR_OTHER;
+}
+
+/* A million elements that lie together are made one run in no time, and are none if there are no elements. */
+static int large_type(void)
+{
+    MPI_Datatype empty;
+    MPI_Aint lb, extent, none_at, none_wide;
+    double began = MPI_Wtime();
+    MPI_Type_contiguous(10000000, MPI_INT, &type);
+    MPI_Type_contiguous(0, MPI_INT, &empty);
+    began = MPI_Wtime() - began;
+    MPI_Type_get_extent(type, &lb, &extent);
+    MPI_Type_get_extent(empty, &none_at, &none_wide);
+    return began < 1e-3 && extent == 40000000 && !none_wide ? MPI_SUCCESS : MPI_ERR_OTHER;
+}
+
 /* By the names of their functions. */
 #define NAMED(f)                                                                                             \
     {                                                                                                        \
@@ -333,91 +418,53 @@ static int large_pack(void)
 static const struct wrong {
     const char *name;
     int (*call)(void);
-} all[] = {NAMED(mrecv),
-           NAMED(call_errhandler),
-           NAMED(pack_external),
-           NAMED(win_attach),
-           NAMED(vector),
-           NAMED(bcast_init),
-           NAMED(send_init),
-           NAMED(isendrecv_replace),
-           NAMED(split_type),
-           NAMED(dup_with_info),
-           NAMED(ineighbor),
-           NAMED(free_locked),
-           NAMED(fence_locked),
-           NAMED(free_posted),
-           NAMED(overlap),
-           NAMED(allreduce),
-           NAMED(iallreduce),
-           NAMED(reduce),
-           NAMED(gatherv),
-           NAMED(scatterv),
-           NAMED(null_split),
-           NAMED(null_size),
-           NAMED(null_type),
-           NAMED(null_extent),
-           NAMED(reduce_local),
-           NAMED(scan),
-           NAMED(reduce_scatter),
-           NAMED(block),
-           NAMED(allgather),
-           NAMED(gather),
-           NAMED(scatter),
-           NAMED(in_place),
-           NAMED(again),
-           NAMED(alltoall),
-           NAMED(alltoallv),
-           NAMED(range),
-           NAMED(group_count),
-           NAMED(lengths),
-           NAMED(block_length),
-           NAMED(struct_length),
-           NAMED(no_dimension),
-           NAMED(other_order),
-           NAMED(far_start),
-           NAMED(no_parts),
-           NAMED(no_block),
-           NAMED(short_block),
-           NAMED(no_kind),
-           NAMED(other_grid),
-           NAMED(other_rank),
-           NAMED(many_sides),
-           NAMED(no_nodes),
-           NAMED(large_grid),
-           NAMED(ends),
-           NAMED(sources),
-           NAMED(degrees),
-           NAMED(other_leader),
-           NAMED(group_tag),
-           NAMED(split_kind),
-           NAMED(two_groups),
-           NAMED(pack_room),
-           NAMED(unpack_size),
-           NAMED(pack_size),
-           NAMED(pack_count),
-           NAMED(unpack_place),
-           NAMED(local_count),
-           NAMED(no_function),
-           NAMED(ibsend),
-           NAMED(mrecv_count),
-           NAMED(no_handler),
-           NAMED(free_env),
-           NAMED(info_key),
-           NAMED(info_value),
-           NAMED(info_room),
-           NAMED(rput_rank),
-           NAMED(rput_fenced),
-           NAMED(swap_pair),
-           NAMED(free_type),
-           NAMED(dup_type),
-           NAMED(set_again),
-           NAMED(own_handler),
-           NAMED(texts),
-           NAMED(graph_copies),
-           NAMED(external),
-           NAMED(large_pack),
-           NAMED(fine)};
+} all[] = {NAMED(mrecv),          NAMED(call_errhandler),
+           NAMED(pack_external),  NAMED(win_attach),
+           NAMED(vector),         NAMED(bcast_init),
+           NAMED(send_init),      NAMED(isendrecv_replace),
+           NAMED(split_type),     NAMED(dup_with_info),
+           NAMED(ineighbor),      NAMED(free_locked),
+           NAMED(fence_locked),   NAMED(free_posted),
+           NAMED(overlap),        NAMED(allreduce),
+           NAMED(iallreduce),     NAMED(reduce),
+           NAMED(gatherv),        NAMED(scatterv),
+           NAMED(null_split),     NAMED(null_size),
+           NAMED(null_type),      NAMED(null_extent),
+           NAMED(reduce_local),   NAMED(scan),
+           NAMED(reduce_scatter), NAMED(block),
+           NAMED(allgather),      NAMED(gather),
+           NAMED(scatter),        NAMED(in_place),
+           NAMED(again),          NAMED(alltoall),
+           NAMED(alltoallv),      NAMED(range),
+           NAMED(group_count),    NAMED(lengths),
+           NAMED(block_length),   NAMED(struct_length),
+           NAMED(no_dimension),   NAMED(other_order),
+           NAMED(far_start),      NAMED(no_parts),
+           NAMED(no_block),       NAMED(short_block),
+           NAMED(no_kind),        NAMED(other_grid),
+           NAMED(other_rank),     NAMED(many_sides),
+           NAMED(no_nodes),       NAMED(large_grid),
+           NAMED(ends),           NAMED(sources),
+           NAMED(degrees),        NAMED(other_leader),
+           NAMED(group_tag),      NAMED(split_kind),
+           NAMED(two_groups),     NAMED(pack_room),
+           NAMED(unpack_size),    NAMED(pack_size),
+           NAMED(pack_count),     NAMED(unpack_place),
+           NAMED(local_count),    NAMED(no_function),
+           NAMED(ibsend),         NAMED(start_buffered),
+           NAMED(replace),        NAMED(neighbor_type),
+           NAMED(neighbor_count), NAMED(wait_general),
+           NAMED(some_general),   NAMED(freed),
+           NAMED(large_function), NAMED(large_type),
+           NAMED(mrecv_count),    NAMED(no_handler),
+           NAMED(free_env),       NAMED(info_key),
+           NAMED(info_value),     NAMED(info_room),
+           NAMED(rput_rank),      NAMED(rput_fenced),
+           NAMED(swap_pair),      NAMED(free_type),
+           NAMED(dup_type),       NAMED(set_again),
+           NAMED(own_handler),    NAMED(texts),
+           NAMED(graph_copies),   NAMED(external),
+           NAMED(large_pack),     NAMED(fine)};
 
 int main(int argc, char **argv)
 {

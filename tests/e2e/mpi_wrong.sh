@@ -78,6 +78,12 @@ unpack_place|the message is longer than the receive|MPI_Unpack_external|fewer th
 local_count|invalid count|MPI_Reduce_local|the count -1 is negative
 no_function|invalid argument|MPI_Op_create|the function is a null pointer
 ibsend|invalid buffer|MPI_Ibsend|4 bytes and MPI_BSEND_OVERHEAD do not fit
+start_buffered|invalid buffer|MPI_Start|4 bytes and MPI_BSEND_OVERHEAD do not fit
+replace|invalid operation|MPI_Allreduce|the operation is for accesses to windows only
+neighbor_type|invalid datatype|MPI_Neighbor_alltoall|the datatype is null
+neighbor_count|invalid count|MPI_Neighbor_alltoallv|the count -1 is negative
+wait_general|invalid request|MPI_Waitany|a generalized request is waited for
+some_general|invalid request|MPI_Waitsome|a generalized request is waited for
 mrecv_count|invalid count|MPI_Mrecv|the count -1 is negative
 no_handler|invalid argument|MPI_Comm_set_errhandler|the error handler is null
 free_env|invalid info|MPI_Info_free|the info is null
@@ -91,7 +97,7 @@ free_type|no such name of a service|MPI_Type_free|an attribute's delete function
 dup_type|no such name of a service|MPI_Type_dup|an attribute's copy function says no
 set_again|no such name of a service|MPI_Type_set_attr|an attribute's delete function says no
 END
-for right in own_handler texts graph_copies external large_pack; do
+for right in own_handler texts graph_copies external large_pack freed large_function large_type; do
     run -q -n 2 mpi_wrong $right
     check "$right: all is as it should be" test "$status:$(cat out)" = "0:no error"
 done
