@@ -77,6 +77,32 @@ explore of/farm -n 4 --runs 60 --json farm.json farm
 check "nor is any of a program whose order varies, too" test "$(figure farm.json "d['orders'] > 5, len(d['outcomes']) > 5, d['runs_made']")" = "True True 60"
 check "the hint comes there, too" said 'choose the lines that must be$'
 
+# --- what a program that fails says itself ---
+cat >strict.c <<'END'
+#include <nx.h>
+#include <stdio.h>
+#include <stdlib.h>
+int main(void)
+{
+    long x = mynode();
+    if (x)
+        csend(1, &x, sizeof x, 0, 0);
+    else {
+        crecv(1, &x, sizeof x);
+        if (x == 2)
+            fprintf(stderr, "node 2 came first\n"), exit(1);
+        crecv(1, &x, sizeof x);
+    }
+    return 0;
+}
+END
+build strict.c strict
+explore of/strict -n 3 --runs 40 --json strict.json strict
+check "a program that fails: what it wrote to standard error" eval \
+    'grep -A1 "its standard error ended with$" out | grep -qx "       node 2 came first"'
+check "and that alone" test "$(figure strict.json "d['outcomes'][1]['stderr']")" = "node 2 came first"
+check "nothing of a run that ended" test "$(figure strict.json "'stderr' in d['outcomes'][0]")" = False
+
 # --- the command that repeats a run lets it use the same files ---
 cat >seed.c <<'END'
 #include <nx.h>

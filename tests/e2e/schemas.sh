@@ -138,6 +138,20 @@ valid explore dead-explore.json
 line explored2/journal ' d ' >dead-line.json
 line explored3/journal ' d ' >race-line.json
 valid journal dead-line.json
+cat >complains.c <<'END'
+#include <stdio.h>
+#include <stdlib.h>
+int main(void)
+{
+    fprintf(stderr, "no input file\n");
+    exit(1);
+}
+END
+"$BUILD/nxcc" -o complains complains.c
+"$BUILD/touchstone" explore -n 1 --runs 2 -o explored4 --json complains.json complains >out 2>err
+valid explore complains.json
+line explored4/journal ' d ' >complains-line.json
+valid journal complains-line.json
 valid journal race-line.json
 
 # --- a study, with a point that fails; its baseline; its pages, live ---

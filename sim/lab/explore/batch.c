@@ -197,6 +197,27 @@ static bool keep_recording(struct doing *d, const struct task *t, json_t *record
     return good;
 }
 
+/* What the program wrote to standard error last, without what touchstone said of the failure. */
+static void set_stderr(json_t *record, const struct pool_job *job)
+{
+    static const char own[] = "touchstone run: ";
+    const char *text = job->error ? strstr(job->error, ": ") : NULL, *at;
+    if (!text)
+        return;
+    text += 2;
+    size_t length = strlen(text);
+    for (at = text; (at = strstr(at, own)); at++)
+        if (at == text || at[-1] == '\n') {
+            length = (size_t)(at - text);
+            break;
+        }
+    if (length) {
+        char *said = xstrndup(text, length);
+        json_set(record, "stderr", json_text(said));
+        free(said);
+    }
+}
+
 static json_t *record_of(struct doing *d, const struct task *t, enum journal_line_state *state)
 {
     char *file = compared_file(d, t);
@@ -208,6 +229,8 @@ static json_t *record_of(struct doing *d, const struct task *t, enum journal_lin
                                          : t->job.error ? t->job.error
                                                         : "the run wrote no figures",
                                          t->job.wall_time_s);
+    if (json_object_get(record, "message"))
+        set_stderr(record, &t->job);
     json_set(record, "name", json_string(t->run->name));
     json_set(record, "wall_time_s", json_real(t->job.wall_time_s));
     free(file);

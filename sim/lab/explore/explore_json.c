@@ -61,7 +61,7 @@ static void set_explained(json_t *o, const struct explore *x, const struct expla
 
 static json_t *outcome_json(const struct explore *x, size_t outcome)
 {
-    static const char *const copied[] = {"end", "group", "shown", "message", "virtual_time_s"};
+    static const char *const copied[] = {"end", "group", "shown", "message", "stderr", "virtual_time_s"};
     const struct outcome_group *g = &x->search.outcomes[outcome];
     json_t *o = json_object();
     for (size_t i = 0; i < sizeof copied / sizeof *copied; i++)

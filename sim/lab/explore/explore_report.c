@@ -92,6 +92,16 @@ static void print_indented(const char *text, size_t lines, FILE *out)
         fprintf(out, "       ...\n");
 }
 
+/* Why a run did not end, and what its program said of that. */
+static void print_failure(const json_t *record, FILE *out)
+{
+    print_indented(text_of(record, "message"), MOST_LINES, out);
+    if (json_object_get(record, "stderr")) {
+        fprintf(out, "     its standard error ended with\n");
+        print_indented(text_of(record, "stderr"), MOST_LINES, out);
+    }
+}
+
 static void print_delays(const struct explore *x, const struct explained *e, FILE *out)
 {
     const struct delays *d = &e->least.delays;
@@ -128,7 +138,7 @@ static void print_change(const struct explore *x, size_t outcome, FILE *out)
 {
     const json_t *base = x->search.outcomes[0].record, *other = x->search.outcomes[outcome].record;
     if (json_object_get(other, "message")) {
-        print_indented(text_of(other, "message"), MOST_LINES, out);
+        print_failure(other, out);
         return;
     }
     char *change = line_changes(text_of(base, "shown"), text_of(other, "shown"));
@@ -167,7 +177,7 @@ static void print_usual(const struct search *s, FILE *out)
         fprintf(out,
                 "             (in %zu of them in another order of lines: --ordered compares that, too)\n",
                 base->reordered);
-    print_indented(text_of(base->record, "message"), MOST_LINES, out);
+    print_failure(base->record, out);
 }
 
 static void print_summary(const struct explore *x, FILE *out)
