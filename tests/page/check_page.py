@@ -347,8 +347,18 @@ def check_trace_rest(b):
     rule("a part of a run is called that", said == ["from 0 s to 20.00 ms of 253.3 ms", "in 253.3 ms"], said)
     said = b.run("""const m = sumMatrix({nodes: [['node 0', true], ['node 1', false], ['host', true]].map(([name, ran]) => ({name, ran})),
         columns: {'message.from': [0, 2], 'message.to': [2, -1], 'message.bytes': {number: () => 8}}, messageCount: 2}, 'bytes', null);
-        return [m.names.join(), m.count, Array.from(m.sums).join('')]""")
-    rule("a matrix has the nodes that had a program", said == ["node 0,host,services", 3, "080008000"], said)
+        return [m.names.join(), m.count, [...m.sums].join()]""")
+    rule("a matrix has the nodes that had a program", said == ["node 0,host,services", 3, "1,8,5,8"], said)
+    said = b.run("""const m = {sums: new Map([[5, 8], [7, 9], [20000 * 40000 + 3, 1]]), stride: 40000, count: 40000, most: 9,
+        names: Array.from({length: 40000}, (_, i) => 'node ' + i)}, rects = [];
+        const canvas = document.createElement('canvas'), g = canvas.getContext('2d'), fill = g.fillRect.bind(g);
+        g.fillRect = (...at) => { rects.push(at); fill(...at); };
+        drawMatrix(canvas, m, 602, null);
+        const pair = ({from, to}) => from + ' ' + to;
+        return [rects.length, canvas.clientWidth || parseFloat(canvas.style.width), pair(m.pairAt(0.05, 0.01)),
+            pair(m.pairAt(0, 277)), pair(m.pairAt(-5, 9999))]""")
+    rule("a matrix of many nodes: a pixel for pairs that share it, and the mouse finds the largest", said[0] == 4 and said[1] <= 602 and
+         said[2:] == ["0 7", "20000 3", "39999 0"], said)
     said = b.run("return ['node 1', 'host'].map(name => nodeParts([{name: 'node 0'}, {name}])[3][1])")
     rule("a run's bars: only where a host loads programs, nodes have none at first", said == ["ended", "no program"], said)
     frame = [g for g in why.find_elements(By.CSS_SELECTOR, "g[role=button]") if g.get_attribute("aria-label").startswith("crecv")][0]

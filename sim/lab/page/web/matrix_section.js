@@ -32,8 +32,10 @@ function matrixSection(trace, name, timeline) {
         drawMatrix(canvas, matrix, width, at);
         tell();
     };
-    canvas.addEventListener('pointermove', e => go(Math.floor((e.offsetY - matrix.space) / matrix.cell),
-                                               Math.floor((e.offsetX - matrix.space) / matrix.cell)));
+    canvas.addEventListener('pointermove', e => {
+        const pair = matrix.pairAt(e.offsetX - matrix.space, e.offsetY - matrix.space);
+        go(pair.from, pair.to);
+    });
     canvas.addEventListener('keydown', e => {
         const step = {ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1]}[e.key];
         if (step) {
@@ -65,7 +67,7 @@ function matrixSection(trace, name, timeline) {
  * last. */
 function sumMatrix(trace, what, view) {
     const nodes = trace.nodes.filter(n => n.ran), places = new Map(nodes.map((n, i) => [n, i]));
-    const c = trace.columns, count = nodes.length + 1, sums = new Float64Array(count * count);
+    const c = trace.columns, count = nodes.length + 1, sums = new Map(); /* of the pairs that have any */
     const place = node => places.get(trace.nodes[node]) ?? count - 1;
     let most = 0, services = false;
     for (let i = 0; i < trace.messageCount; i++) {
@@ -73,7 +75,10 @@ function sumMatrix(trace, what, view) {
             continue;
         const from = place(c['message.from'][i]), to = place(c['message.to'][i]);
         services ||= from === count - 1 || to === count - 1;
-        most = Math.max(most, sums[from * count + to] += what === 'bytes' ? c['message.bytes'].number(i) : 1);
+        const key = from * count + to, part = what === 'bytes' ? c['message.bytes'].number(i) : 1,
+              sum = (sums.get(key) || 0) + part;
+        sums.set(key, sum);
+        most = Math.max(most, sum);
     }
     const names = [...nodes.map(n => n.name), 'services'];
     return {sums, stride: count, count: services ? count : count - 1, most, names};
@@ -84,36 +89,62 @@ function matrixRamp(share) {
 }
 
 function drawMatrix(canvas, matrix, width, at) {
-    const scale = devicePixelRatio || 1, space = 34, size = width - 2, g = canvas.getContext('2d');
-    const cell = Math.max((size - space) / matrix.count, 0.25);
-    Object.assign(matrix, {cell: Math.min(cell, 28), space});
-    const side = space + matrix.cell * matrix.count;
+    const scale = devicePixelRatio || 1, g = canvas.getContext('2d'), size = width - 2,
+          space = matrix.count > 10000 ? 46 : 34; /* for a node's number */
+    Object.assign(matrix, {cell: Math.min((size - space) / matrix.count, 28), space});
+    const whole = matrix.cell * matrix.count, side = space + whole;
     canvas.width = (side + 2) * scale;
     canvas.height = (side + 2) * scale;
     canvas.style.height = canvas.style.width = side + 2 + 'px';
     g.scale(scale, scale);
     g.fillStyle = colour('ground');
     g.fillRect(0, 0, side + 2, side + 2);
-    const ramp = d3.range(65).map(i => matrixRamp(0.12 + i / 64 * 0.88)), empty = colour('panel'),
-          most = Math.log(matrix.most + 1);
-    for (let from = 0; from < matrix.count; from++)
-        for (let to = 0; to < matrix.count; to++) {
-            const sum = matrix.sums[from * matrix.stride + to], gap = matrix.cell > 5 ? 1 : 0;
-            g.fillStyle = sum ? ramp[Math.round(Math.log(sum + 1) / most * 64)] : empty;
-            g.fillRect(
-                space + to * matrix.cell, space + from * matrix.cell, matrix.cell - gap, matrix.cell - gap);
-        }
+    g.fillStyle = colour('panel');
+    if (matrix.cell > 5)
+        drawEmptyCells(g, matrix);
+    else
+        g.fillRect(space, space, whole, whole);
+    drawPairs(g, matrix);
     matrixLabels(g, matrix, at);
 }
 
+function drawEmptyCells(g, {count, cell, space}) {
+    for (let from = 0; from < count; from++)
+        for (let to = 0; to < count; to++)
+            g.fillRect(space + to * cell, space + from * cell, cell - 1, cell - 1);
+}
+
+/* Pairs that share a pixel are drawn as the largest of them, which the mouse finds there. */
+function drawPairs(g, matrix) {
+    const {sums, stride, count, cell, space} = matrix, size = Math.max(cell, 1), gap = cell > 5 ? 1 : 0;
+    const ramp = d3.range(65).map(i => matrixRamp(0.12 + i / 64 * 0.88)), most = Math.log(matrix.most + 1);
+    const step = Math.min(cell, 1), grid = Math.ceil(count * step), largest = new Map();
+    const spot = (from, to) => Math.floor(from * step) * grid + Math.floor(to * step);
+    for (const [key, sum] of sums) {
+        const place = spot(Math.floor(key / stride), key % stride);
+        if (!(sum <= sums.get(largest.get(place))))
+            largest.set(place, key);
+    }
+    for (const [place, key] of largest) {
+        g.fillStyle = ramp[Math.round(Math.log(sums.get(key) + 1) / most * 64)];
+        g.fillRect(space + place % grid * size, space + Math.floor(place / grid) * size, size - gap, size - gap);
+    }
+    matrix.pairAt = (x, y) => {
+        const number = at => Math.max(0, Math.min(count - 1, Math.floor(at / cell)));
+        const from = number(y), to = number(x);
+        const key = largest.get(spot(from, to)) ?? from * stride + to;
+        return {from: Math.floor(key / stride), to: key % stride};
+    };
+}
+
 function matrixLabels(g, matrix, at) {
-    const every = [1, 2, 4, 8, 16, 32, 64, 128].find(n => n * matrix.cell >= 20) || 256,
-          {cell, space} = matrix;
+    const {cell, space} = matrix, apart = Math.max(20, 8 * String(matrix.count).length),
+          every = 2 ** Math.max(0, Math.ceil(Math.log2(apart / cell)));
     g.font = '11px system-ui, sans-serif';
     g.fillStyle = colour('soft');
     g.textBaseline = 'middle';
     for (let i = 0; i < matrix.count; i += every) {
-        const name = matrix.names[i].replace('node ', '').slice(0, 4);
+        const name = matrix.names[i].replace('node ', '').replace('services', 'serv');
         g.textAlign = 'right';
         g.fillText(name, space - 5, space + (i + 0.5) * cell);
         g.textAlign = 'center';
@@ -123,12 +154,13 @@ function matrixLabels(g, matrix, at) {
     if (at) {
         g.strokeStyle = colour('mark');
         g.lineWidth = 2;
-        g.strokeRect(space + at.to * cell - 1, space + at.from * cell - 1, cell + 1, cell + 1);
+        const side = Math.max(cell, 1) + 1;
+        g.strokeRect(space + at.to * cell - 1, space + at.from * cell - 1, side, side);
     }
 }
 
 function pairText(matrix, {from, to}, figureName) {
-    const sum = matrix.sums[from * matrix.stride + to];
+    const sum = matrix.sums.get(from * matrix.stride + to) || 0;
     return `${matrix.names[from]} to ${matrix.names[to]}: ${grouped(String(sum))} ${figureName}`;
 }
 
