@@ -1,10 +1,12 @@
 /* main.c - touchstone: finds the command. */
+#include <fcntl.h>
 #include <signal.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "cli/commands.h"
 #include "cli/installation.h"
 #include "cli/nearest.h"
@@ -96,18 +98,29 @@ static void list_commands(struct argp_option lines[MOST_LINES])
     *line++ = (struct argp_option){.name = "machines", .key = MACHINES, .flags = OPTION_HIDDEN};
 }
 
-/* "help run" is "run --help". */
+/* "help run" is "run --help", and "help trace show" "trace show --help". What follows may be a program's. */
 static void help_behind_command(int argc, char **argv)
 {
     if (argc < 3 || strcmp(argv[1], "help") != 0)
         return;
-    for (int i = 1; i < argc - 1; i++)
+    int words = argc > 3 && !strcmp(argv[2], "trace") ? 2 : 1;
+    for (int i = 1; i <= words; i++)
         argv[i] = argv[i + 1];
-    argv[argc - 1] = "--help";
+    argv[words + 1] = "--help";
+}
+
+/* Takes the places of standard files that are closed, so that no result lies there, into which messages would
+ * be written. Whoever reads or writes there gets an error as before. */
+static void fill_closed(void)
+{
+    for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++)
+        if (fcntl(fd, F_GETFD) < 0)
+            open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
 int main(int argc, char **argv)
 {
+    fill_closed();
     cli_watch_output(argc > 1 ? argv[1] : "");
     signal(SIGXFSZ, SIG_IGN); /* then writing a file that may not grow fails, and is reported as an error */
     const char *engine = getenv("TOUCHSTONE_ENGINE"), *slash = argc > 0 ? strrchr(argv[0], '/') : NULL;

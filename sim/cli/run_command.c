@@ -159,6 +159,21 @@ static int written_files(const struct arguments *a, bool only_dash)
     return count;
 }
 
+/* Do two paths name one entry of a folder? */
+static bool is_same_entry(const char *a, const char *b)
+{
+    struct stat in, other;
+    if (strcmp(basename(a), basename(b)) != 0)
+        return false;
+    char *folder = xasprintf("%.*s.", (int)(basename(a) - a), a);
+    char *others = xasprintf("%.*s.", (int)(basename(b) - b), b);
+    bool same = stat(folder, &in) == 0 && stat(others, &other) == 0 && in.st_ino == other.st_ino &&
+                in.st_dev == other.st_dev;
+    free(folder);
+    free(others);
+    return same;
+}
+
 /* A path that two of the results have, so that one of them would be lost; NULL: there is none. */
 static const char *written_twice(const struct arguments *a)
 {
@@ -166,7 +181,7 @@ static const char *written_twice(const struct arguments *a)
     struct stat st;
     for (size_t i = 0; i < MOST_WRITTEN; i++)
         for (size_t k = 0; w.files[i] && k < i; k++)
-            if (w.files[k] && !strcmp(w.files[i], w.files[k]) &&
+            if (w.files[k] && is_same_entry(w.files[i], w.files[k]) &&
                 (stat(w.files[i], &st) != 0 || S_ISREG(st.st_mode)))
                 return w.files[i];
     return NULL;

@@ -194,6 +194,13 @@ check "a device stays a device" test -c /dev/full
 status=$?
 check "standard output full: said" said 'standard output cannot be written: No space left'
 check "standard output full: status 74" ended_with 74
+"$BUILD/touchstone" run -n 2 --history history ring 2>&- >/dev/null
+check "standard error closed: no message gets into a result" test "$(grep -cE '^[0-9]+ [0-9]+ [0-9]+ ' history)" = "$(wc -l <history)"
+"$BUILD/touchstone" run -q -n 2 --history history ring 2>err >&-
+status=$?
+check "standard output closed: no output gets into a result" test "$(grep -cE '^[0-9]+ [0-9]+ [0-9]+ ' history)" = "$(wc -l <history)"
+check "standard output closed: said" said 'standard output cannot be written: Bad file descriptor'
+check "standard output closed: status 74" ended_with 74
 "$BUILD/touchstone" run -q -n 2 --json j.json ring >&- 2>err
 status=$?
 check "standard output closed: status 74" ended_with 74
