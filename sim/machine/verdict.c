@@ -129,7 +129,7 @@ static void judge(struct machine *m)
     enum stop stop = s->schedule.stop;
     bool limit = stop == STOP_VIRTUAL_TIME || stop == STOP_WALL_TIME || stop == STOP_INTERRUPTED;
     m->outcome = MACHINE_ENDED;
-    if (stop == STOP_VIRTUAL_TIME && s->schedule.max_time == m->options.until) {
+    if (stop == STOP_VIRTUAL_TIME && m->options.until && s->schedule.max_time == m->options.until) {
         stopped_at_time(m);
     } else if (s->failure) {
         m->outcome = MACHINE_FAILED;

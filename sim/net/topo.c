@@ -34,7 +34,7 @@ bool topo_mesh(struct topo *t, uint32_t n, uint32_t rows, uint32_t columns)
 {
     *t = (struct topo){.nodes = n};
     for (uint32_t r = 1; n > 0 && r <= rows; r++) {
-        uint32_t c = (n + r - 1) / r, area = r * c;
+        uint32_t c = (n - 1) / r + 1, area = r * c;
         if (c > columns)
             continue;
         if (!t->rows || area < t->positions || (area == t->positions && r + c < t->rows + t->columns))

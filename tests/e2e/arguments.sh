@@ -69,6 +69,7 @@ check "nxcc: gcc's are gcc's" test -x param
 wrong "a value that looks like an option is one" 65 'no machine "--threads"' run -m --threads ring
 wrong "no nodes" 64 "not '0'" run -n 0 ring
 wrong "more nodes than the mesh has" 65 "mesh of 16 x 33; --set topology.rows=N and --set topology.columns=N make it a larger one" run -m delta -n 600 ring
+wrong "as many nodes as a number has room for" 65 "mesh of 16 x 33" run -m delta -n 4294967295 ring
 wrong "more nodes than the cube has" 65 "at most 128; --set topology.dimension=N makes it one of 2.N" run -m ipsc860 -n 200 ring
 wrong "words for a number" 64 "not 'many'" run -n many ring
 wrong "a program that is not there" 65 'nowhere' run nowhere
@@ -93,10 +94,12 @@ TOUCHSTONE_ENGINE=warp wrong "an engine that is none, in the environment" 64 "TO
 check "the last --gdb counts, also node 0" said 'gdb cannot be started'
 wrong "a trace to time 0" 64 "--trace-to takes a virtual time later than 0" run --trace t --trace-to 0 ring
 wrong "two results in one file" 64 "f.json has room for one result" run --json f.json --races f.json ring
+wrong "two results in one file, by different paths" 64 "./f.json has room for one result" run --json f.json --races ./f.json ring
 run -q --json /dev/null --deadlock /dev/null ring
 check "two results that nobody wants" ended_with 0
 run -q --max-virtual-time inf -n 2 ring
 check "a limit that no time reaches is none" grep -q . out
+wrong "a limit that is reached before the first picosecond" 1 "virtual time limit of 0 s reached" run -q --max-virtual-time 1e-13 ring
 
 # A run that cannot begin leaves the results of the one before; one that cannot write a result writes the others.
 echo before >history
@@ -113,6 +116,8 @@ END
 "$BUILD/nxcc" -o words words.c 2>compile.err
 run -q -n 1 words -n 2 --json x -- --help
 check "options after the program's name are the program's" test "$(tr '\n' ' ' <out)" = '-n 2 --json x -- --help '
+"$BUILD/touchstone" help run words a >out
+check "help in front of a program does not run it" grep -q '^Usage: touchstone run ' out
 run -q -- words -q
 check "-- ends the options" test "$(cat out)" = -q
 

@@ -94,6 +94,7 @@ static void machines_that_are_too_small_say_no(void **state)
     assert_int_equal(t.positions, 4);
     assert_false(topo_mesh(&t, 16 * 33 + 1, 16, 33));
     assert_false(topo_mesh(&t, 0, 16, 33));
+    assert_false(topo_mesh(&t, UINT32_MAX, 16, 33));
     assert_true(topo_mesh(&t, 16 * 33, 16, 33));
     assert_true(
         topo_mesh(&t, 37, 16, 33)); /* prime and too long for a row: the least rectangle that holds it */
