@@ -168,6 +168,16 @@ static bool read_fast_nodes(struct cfg_reader *r, config_setting_t *g, struct cf
     return true;
 }
 
+/* The system's time on fast nodes is reckoned in thousandths of that on others. */
+static bool check_fast_clock(struct cfg_reader *r, config_setting_t *g, const struct cfg_machine *m)
+{
+    enum { MOST = 1000 };
+    return !m->fast_every ||
+           (m->fast_clock_hz <= MOST * m->clock_hz && m->clock_hz <= MOST * m->fast_clock_hz) ||
+           cfg_fail(r, config_setting_get_member(g, "fast_clock_mhz"), "fast_clock_mhz",
+                    "must be a thousandth of clock_mhz at least, and a thousand times as much at most");
+}
+
 static bool read_share(struct cfg_reader *r, config_setting_t *g, struct cfg_machine *m)
 {
     double share = 0.05;
@@ -198,6 +208,8 @@ static bool read_node(struct cfg_reader *r, struct cfg_machine *m)
     if (system + stack >= memory * KB)
         return cfg_fail(r, g, "memory_mb", "system_kb and stack_kb leave nothing of it to the program");
     m->clock_hz = (uint64_t)llround(clock_mhz * 1e6);
+    if (!check_fast_clock(r, g, m))
+        return false;
     m->hwclock_hz = (uint64_t)llround(hwclock_mhz * 1e6);
     m->cache_bytes = cache * KB;
     m->memory_bytes = memory * MB;
@@ -220,7 +232,8 @@ static bool read_mpi(struct cfg_reader *r, struct cfg_machine *m)
         !read_if_given(r, "mpi_collectives", 1995, 2005, &m->mpi_collectives))
         return false;
     return m->mpi_collectives == 1995 || m->mpi_collectives == 2005 ||
-           cfg_fail(r, r->root, "mpi_collectives", "must be 1995 or 2005: how MPICH made them in that year");
+           cfg_fail(r, config_setting_get_member(r->root, "mpi_collectives"), "mpi_collectives",
+                    "must be 1995 or 2005: how MPICH made them in that year");
 }
 
 static bool read_system(struct cfg_reader *r, config_setting_t *g, struct cfg_machine *m)

@@ -1,6 +1,7 @@
 /* setting.c - see setting.h. */
 #include "config/setting.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -36,13 +37,16 @@ static bool in_the_other_unit(const char *key, char other[MAX_PATH])
     return false;
 }
 
-/* A number where the text is one from end to end, whole if it has no point; otherwise text. */
+/* A number where the text is one from end to end, whole if it has no point and is not too large; otherwise
+ * text. */
 static config_setting_t *add(config_setting_t *group, const char *key, const char *value)
 {
     char *end;
     double real = strtod(value, &end);
+    errno = 0;
+    long long integer = strtoll(value, NULL, 10);
     bool number = *value && !*end && isfinite(real);
-    bool whole = number && !value[strspn(value, "+-0123456789")];
+    bool whole = number && !errno && !value[strspn(value, "+-0123456789")];
     config_setting_t *s = config_setting_add(group, key,
                                              whole    ? CONFIG_TYPE_INT64
                                              : number ? CONFIG_TYPE_FLOAT
@@ -50,7 +54,7 @@ static config_setting_t *add(config_setting_t *group, const char *key, const cha
     if (!s)
         return NULL;
     if (whole)
-        config_setting_set_int64(s, strtoll(value, NULL, 10));
+        config_setting_set_int64(s, integer);
     else if (number)
         config_setting_set_float(s, real);
     else

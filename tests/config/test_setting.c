@@ -65,6 +65,20 @@ static void a_setting_may_be_of_an_optional_key(void **state)
     cfg_free(m);
 }
 
+static void the_clocks_of_nodes_are_within_a_factor(void **state)
+{
+    (void)state;
+    char *error = NULL;
+    struct cfg_machine *m = delta_with("node.fast_every=2", "node.fast_clock_mhz=0.04", &error);
+    assert_non_null(m);
+    cfg_free(m);
+    assert_null(delta_with("node.fast_every=2", "node.fast_clock_mhz=0.039", &error));
+    assert_non_null(strstr(error, "fast_clock_mhz: must be a thousandth of clock_mhz at least"));
+    free(error);
+    assert_null(delta_with("node.fast_every=2", "node.fast_clock_mhz=40001", &error));
+    free(error);
+}
+
 static void bad_settings_are_checked_as_the_file_is(void **state)
 {
     (void)state;
@@ -75,6 +89,9 @@ static void bad_settings_are_checked_as_the_file_is(void **state)
          "system.interupt_us=1: interupt_us: unknown key; did you mean interrupt_us? Known here: call_us, "},
         {"system.interrupt_us=-1",
          "system.interrupt_us=-1: interrupt_us: -1 is out of range: 0 to 1e+06 are allowed"},
+        {"system.message_ids=99999999999999999999",
+         "system.message_ids=99999999999999999999: message_ids: must be a whole number from 1 to 1000000"},
+        {"mpi_collectives=2000", "mpi_collectives=2000: mpi_collectives: must be 1995 or 2005"},
         {"system.interrupt_us=long",
          "system.interrupt_us=long: interrupt_us: must be a number from 0 to 1e+06"},
         {"system.interrupt_us=", "system.interrupt_us=: interrupt_us: must be a number from 0 to 1e+06"},
@@ -104,6 +121,7 @@ int main(void)
         cmocka_unit_test(the_last_of_two_settings_counts),
         cmocka_unit_test(a_setting_may_be_in_another_unit_than_the_files),
         cmocka_unit_test(a_setting_may_be_of_an_optional_key),
+        cmocka_unit_test(the_clocks_of_nodes_are_within_a_factor),
         cmocka_unit_test(bad_settings_are_checked_as_the_file_is),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
