@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
+#include "files/text_file.h"
 #include "kernel/xalloc.h"
 #include "os/order.h"
 
@@ -33,14 +34,16 @@ static void put_time(FILE *f, const char *key, vtime t)
         fprintf(f, " %s=%" PRIu64, key, t);
 }
 
-/* A word: blanks would end it. */
+/* A word of UTF-8: blanks would end it, and other bytes would be no text (timing/plan_read.h). */
 static void put_text(FILE *f, const char *key, const char *text)
 {
     if (!text)
         return;
     fprintf(f, " %s=", key);
-    for (; *text; text++)
-        fputc(*text == ' ' || *text == '\t' || *text == '\n' || *text == '#' ? '_' : *text, f);
+    for (size_t n; *text; text += n ? n : 1) {
+        n = strchr(" \t\n#", *text) ? 0 : text_character(text);
+        fprintf(f, "%.*s", n ? (int)n : 1, n ? text : "_");
+    }
 }
 
 /* --- the head --- */

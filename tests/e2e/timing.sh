@@ -180,6 +180,11 @@ run -q -n 4 --replay usual.schedule other
 check "another program than the recorded one is named, also if the schedule delays nothing" \
     said '^touchstone run: usual.schedule was recorded of another program than other, or of this one compiled otherwise'
 
+cp no_g $'n\xf6 g'
+run -q -n 4 --record latin.schedule $'./n\xf6 g'
+run -q -n 4 --replay latin.schedule no_g
+check "the schedule of a program whose name is not UTF-8 can be read" ended_with 0
+
 # --- doc/replay.md ---
 
 example "$tests/../../doc/replay.md" race.c
