@@ -89,10 +89,16 @@ struct race_suppressions *race_suppress_read(const char *path, char **error)
     return NULL;
 }
 
+/* The name itself matches, too, though it may have brackets, which a pattern takes for letters to choose from. */
+static bool matches(const char *pattern, const char *name)
+{
+    return strcmp(pattern, name) == 0 || fnmatch(pattern, name, 0) == 0;
+}
+
 static bool is_in_line(const char *pattern, const struct race_frame *f)
 {
     char *line = xasprintf("%s:%d", f->file, f->line);
-    bool is = fnmatch(pattern, line, 0) == 0 || fnmatch(pattern, f->file, 0) == 0;
+    bool is = matches(pattern, line) || matches(pattern, f->file);
     free(line);
     return is;
 }
@@ -102,7 +108,7 @@ static bool matches_side(const struct one *one, const struct race_report_side *s
     if (one->what == FILE_LINE)
         return is_in_line(one->pattern, &s->frames[0]);
     for (size_t i = 0; i < s->depth && one->what == FUNCTION; i++)
-        if (fnmatch(one->pattern, s->frames[i].function, 0) == 0)
+        if (matches(one->pattern, s->frames[i].function))
             return true;
     return false;
 }
@@ -111,7 +117,7 @@ bool race_suppress_matches(const struct race_suppressions *s, const struct race_
 {
     for (size_t i = 0; s && i < s->count; i++) {
         const struct one *one = &s->list[i];
-        if (one->what == VARIABLE && fnmatch(one->pattern, r->variable, 0) == 0)
+        if (one->what == VARIABLE && matches(one->pattern, r->variable))
             return true;
         if (matches_side(one, &r->side[0]) || matches_side(one, &r->side[1]))
             return true;

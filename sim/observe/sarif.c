@@ -9,24 +9,40 @@
 
 /* --- parts of a result ---------------------------------------------------------------------------------- */
 
+/* A file's name as a relative URI (RFC 3986); malloc'd. */
+static char *uri_of(const char *file, size_t length)
+{
+    static const char PLAIN[] = "-._~/ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789";
+    char *uri;
+    size_t size;
+    FILE *f = xchecked(open_memstream(&uri, &size));
+    for (size_t i = 0; i < length; i++)
+        if (strchr(PLAIN, file[i]))
+            fputc(file[i], f);
+        else
+            fprintf(f, "%%%02X", (unsigned char)file[i]);
+    fclose(f);
+    return uri;
+}
+
 /* A place; text: what happened there, NULL: nothing to say. */
 static json_t *location(const char *file, size_t length, int line, const char *text)
 {
-    char *name = xstrndup(file, length);
-    json_t *o = xchecked(json_pack("{s:{s:{s:o}, s:{s:i}}}", "physicalLocation", "artifactLocation", "uri",
-                                   json_text(name), "region", "startLine", line));
+    char *uri = uri_of(file, length);
+    json_t *o = xchecked(json_pack("{s:{s:{s:s}, s:{s:i}}}", "physicalLocation", "artifactLocation", "uri",
+                                   uri, "region", "startLine", line));
     if (text)
         json_set(o, "message", xchecked(json_pack("{s:o}", "text", json_text(text))));
-    free(name);
+    free(uri);
     return o;
 }
 
-/* The place that a text names at its beginning, "ring.c:17"; NULL: none. */
-static json_t *named(const char *text, const char *what)
+/* The place that the first `length` letters name, "ring.c:17"; NULL: none. */
+static json_t *named(const char *text, size_t length, const char *what)
 {
-    size_t length = strcspn(text, ":( )\n");
-    int line = text[length] == ':' ? atoi(text + length + 1) : 0;
-    return length && line > 0 ? location(text, length, line, what) : NULL;
+    const char *colon = memrchr(text, ':', length);
+    int line = colon ? atoi(colon + 1) : 0;
+    return line > 0 ? location(text, (size_t)(colon - text), line, what) : NULL;
 }
 
 /* The first place in parentheses that a report names. */
@@ -34,7 +50,7 @@ static json_t *first_named(const char *text)
 {
     json_t *found = NULL;
     for (const char *at = text; !found && (at = strchr(at, '(')); at++)
-        found = named(at + 1, NULL);
+        found = named(at + 1, strcspn(at + 1, "()\n"), NULL);
     return found;
 }
 
@@ -130,7 +146,7 @@ static json_t *stands_at(const struct waitfor_node *n)
     if (!n->line || (!waits && !gave_up(n)))
         return NULL;
     char *text = waits ? NULL : xasprintf("%s ended here with exit(%d)", n->name, n->exit_status);
-    json_t *place = named(n->line, waits ? n->why : text);
+    json_t *place = named(n->line, strlen(n->line), waits ? n->why : text);
     free(text);
     return place;
 }

@@ -133,6 +133,7 @@ suppressed() { # LINES RACES
 suppressed '# nothing\n\n' '2 found'
 suppressed 'variable done\n' '1 found, 1 suppressed'
 suppressed 'variable bl*ck*  # the buffer\n' '1 found, 1 suppressed'
+suppressed 'variable block[0]\n' '1 found, 1 suppressed'
 suppressed 'file jobs.c:43\n' '1 found, 1 suppressed'
 suppressed 'function on_job\n' '1 found, 1 suppressed'
 suppressed 'file jobs.c\n' '0 found, 2 suppressed'

@@ -15,7 +15,13 @@ line() { grep -nF -- "$2" "$1" | head -1 | cut -d: -f1; } # FILE TEXT
 "$BUILD/nxcc" -g -O2 -o deadlock "$examples/deadlock.c"
 sarif -n 4 deadlock
 check "a deadlock: the line of the call" test "$(cat found)" = "deadlock error deadlock.c:$(sed -n 's/^.*(deadlock\.c:\([0-9]*\)).*/\1/p' err | head -1)"
+at_call=$(cat found)
 check "with the report" test "$(jq -r '.runs[0].results[0].message.text | split("\n")[0]' found.sarif)" = "deadlock: every program waits, and no message is under way"
+
+cp "$examples/deadlock.c" '100% (dead) lock.c'
+"$BUILD/nxcc" -g -O2 -o named '100% (dead) lock.c'
+sarif -n 4 named
+check "a file's name as a URI" test "$(cat found)" = "deadlock error 100%25%20%28dead%29%20lock.c:$(sed 's/.*://' <<<"$at_call")"
 
 "$BUILD/nxcc" -g -O2 -o exited "$tests/deadlocks/exited.c"
 sarif -n 4 exited
