@@ -12,7 +12,7 @@
 #include <stdint.h>
 
 enum frame_kind { FRAME_REQUEST = 'R', FRAME_OUT = 'O', FRAME_ERR = 'E', FRAME_END = 'X' };
-enum { FRAME_HEAD = 5, FRAME_MOST = 1 << 20 };
+enum { FRAME_HEAD = 5, FRAME_MOST = 8 << 20 }; /* no command has longer arguments, by Linux */
 
 struct request {
     const char *command; /* "getcube" */

@@ -34,16 +34,25 @@ struct job {
 
 /* --- its output --- */
 
-/* The next line, or the beginning of a line that is too long. NULL: there is no whole line yet. */
-static char *next_line(struct evbuffer *b)
+/* The next line, or the beginning of one that is too long; if nothing more comes (all), what is left. NULL:
+ * there is none yet. */
+static char *next_line(struct evbuffer *b, bool all)
 {
     enum { LONGEST = 4096 };
     char *line = evbuffer_readln(b, NULL, EVBUFFER_EOL_LF);
-    if (line || evbuffer_get_length(b) < LONGEST)
+    size_t left = evbuffer_get_length(b);
+    if (line || left == 0 || (left < LONGEST && !all))
         return line;
-    line = xcalloc(LONGEST + 1, 1);
-    evbuffer_remove(b, line, LONGEST);
+    left = left < LONGEST ? left : LONGEST;
+    line = xcalloc(left + 1, 1);
+    evbuffer_remove(b, line, left);
     return line;
+}
+
+static void tell_lines(struct stream *s, bool all)
+{
+    for (char *line; (line = next_line(s->line, all)); free(line))
+        s->job->events.said(s->job->events.ctx, s->job, line);
 }
 
 /* A frame that does not fit on the disk is lost as a whole. */
@@ -60,13 +69,11 @@ static void on_data(struct bufferevent *b, void *arg)
     struct stream *s = arg;
     unsigned char frame[1 << 14];
     size_t n;
-    char *line;
     while ((n = bufferevent_read(b, frame + FRAME_HEAD, sizeof frame - FRAME_HEAD)) > 0) {
         keep(s, frame, FRAME_HEAD + n);
         evbuffer_add(s->line, frame + FRAME_HEAD, n);
     }
-    for (; (line = next_line(s->line)); free(line))
-        s->job->events.said(s->job->events.ctx, s->job, line);
+    tell_lines(s, false);
     s->job->events.grown(s->job->events.ctx, s->job);
 }
 
@@ -82,6 +89,7 @@ static void on_end(struct bufferevent *b, short what, void *arg)
     (void)what;
     bufferevent_free(b);
     s->from = NULL;
+    tell_lines(s, true);
     tell_if_ended(s->job);
 }
 

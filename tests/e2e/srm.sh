@@ -70,6 +70,10 @@ check "waitcube: its summary" said '^digest'
 check "waitcube: its exit status, 0" ended_with 0
 ask waitcube -c default
 check "waitcube again tells the same" cmp plain out
+ask load -c default ring $(yes "$(printf 'x%.0s' {1..2000})" | head -600)
+check "load with more than a megabyte of arguments" ended_with 0
+ask waitcube -c default
+check "which the program gets" ended_with 0
 ask load -c default quits
 ask waitcube -c default
 check "waitcube: exit status 1 of a program that failed" ended_with 1
@@ -140,6 +144,11 @@ check "and has no cubes" grep -q '0 of 10 cubes' out
 ask getcube
 check "getcube without a type: all nodes" grep -qx 'default: nodes 0 to 127 of ipsc860' out
 check "its log tells what happened" grep -qE 'gets default: nodes 0 to 127' srm.log
+printf '#include <stdio.h>\nint main(void) { printf("no end"); return 0; }\n' >no_end.c
+"$BUILD/nxcc" -o no_end no_end.c
+ask load no_end
+ask waitcube
+check "and an output's last line, which does not end" grep -qE '\[default\] (no end){128}$' srm.log
 service=$(cat srm.lock)
 kill "$service"
 check "SIGTERM ends it" gone "$service"
