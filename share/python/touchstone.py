@@ -109,7 +109,9 @@ def _value(text):
 
 def _of_csv(text):
     """Digests are texts, also those of decimal digits only, which would be other numbers."""
-    rows = csv.DictReader(io.StringIO(text))
+    rows = list(csv.DictReader(io.StringIO(text)))
+    if any(None in row or None in row.values() for row in rows):
+        raise ValueError("a row has more values than the first line, or fewer")
     return _table([{key: value if key == "digest" else _value(value) for key, value in row.items()} for row in rows])
 
 
@@ -118,14 +120,18 @@ def _of_csv(text):
 
 def _binary():
     here = pathlib.Path(__file__).resolve()
-    beside = [here.parents[3] / "bin" / "touchstone", here.parents[2] / "build" / "touchstone"]
+    beside = [here.parent / "../../../bin/touchstone", here.parent / "../../build/touchstone"]
     found = [str(path) for path in beside if os.access(path, os.X_OK)]
     return os.environ.get("TOUCHSTONE") or (found + [shutil.which("touchstone") or "touchstone"])[0]
 
 
 def _call(*words, good=(0,)):  # (what the programs of a run write on standard error is no warning)
-    done = subprocess.run([_binary(), *map(str, words)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          encoding="utf-8", errors="replace", check=False)  # (programs print any bytes)
+    binary = _binary()
+    try:
+        done = subprocess.run([binary, *map(str, words)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              encoding="utf-8", errors="replace", check=False)  # (programs print any bytes)
+    except OSError as error:
+        raise Error(f"{binary} cannot be run: {error.strerror}; $TOUCHSTONE names another", 127) from error
     if done.returncode not in good:
         raise Error(done.stderr, done.returncode)
     if words[0] != "run" and done.stderr:
@@ -175,7 +181,11 @@ def run(program, *arguments, machine=None, nodes=None, set=(), options=()):  # n
     done = _call(*words, program, *arguments, good=(0, 1, 2, 3))
     if not done.stdout:
         raise Error(done.stderr, done.returncode)
-    return Run(json.loads(done.stdout), done.stderr, done.returncode)
+    try:
+        figures = json.loads(done.stdout)
+    except ValueError as error:
+        raise Error("the run's figures are not on standard output: options must not have a --json of their own", 64) from error
+    return Run(figures, done.stderr, done.returncode)
 
 
 # --- what runs have left --------------------------------------------------------------------------------------------
@@ -186,7 +196,10 @@ def results(folder):
     points = pathlib.Path(folder) / "results.csv"
     if not points.is_file():
         raise Error(f"{folder} has no results.csv, which touchstone study writes when all points are run", 65)
-    return _of_csv(points.read_text(encoding="utf-8"))
+    try:
+        return _of_csv(points.read_text(encoding="utf-8"))
+    except (ValueError, csv.Error) as error:
+        raise Error(f"{points}: no table of touchstone study: {error}", 65) from error
 
 
 def trace(path, table="pieces"):
@@ -222,12 +235,11 @@ def profile(path, lines=False):
     if lines:
         return _table(json.loads(_call("profile", "--lines", "--json", "-", path).stdout))
     try:
-        functions = json.loads(pathlib.Path(path).read_text(encoding="utf-8"))["functions"]
+        return _table([_flat(row) for row in json.loads(pathlib.Path(path).read_text(encoding="utf-8"))["functions"]])
     except OSError as error:
         raise Error(f"{path}: {error.strerror}", 65) from error
-    except (ValueError, KeyError, TypeError) as error:
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
         raise Error(f"{path}: no profile of touchstone run --profile", 65) from error
-    return _table([_flat(row) for row in functions])
 
 
 # --- machines -------------------------------------------------------------------------------------------------------

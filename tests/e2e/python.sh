@@ -72,6 +72,31 @@ END
 /usr/bin/python3 wrong.py >out 2>err
 check "errors are raised, with the command's words" test "$(cat out)" = "$(yes '65 True' | head -6; echo 64 True)"
 
+mkdir damaged
+printf 'nodes,digest\n1\n' >damaged/results.csv
+echo '{"functions": [1]}' >damaged/profile.json
+cat >wrong.py <<'END'
+import os, touchstone
+def elsewhere():
+    os.environ["TOUCHSTONE"] = "/nowhere/touchstone"
+    touchstone.machines()
+def latin():
+    open("damaged/results.csv", "wb").write(b"nodes\n\xfc\n")
+    touchstone.results("damaged")
+for call in (lambda: touchstone.results("damaged"), latin, lambda: touchstone.profile("damaged/profile.json"),
+             lambda: touchstone.run("ring", options=("--json", "f.json")), elsewhere):
+    try:
+        call()
+    except touchstone.Error as e:
+        print(e.status, e)
+END
+/usr/bin/python3 wrong.py >out 2>err
+check "errors are raised of damaged files, and of a touchstone that is not there" test "$(cut -d' ' -f1 out | tr '\n' ' ')" = "65 65 65 64 127 "
+cp "$PYTHONPATH/touchstone.py" "$work/beside.py"
+check "the module works from any folder" test "$(cd "$work" && PYTHONPATH=$work TOUCHSTONE='' PATH=$BUILD:$PATH /usr/bin/python3 -c "import pathlib, beside
+beside.__file__ = '/beside.py'
+print(len(beside.machines()) > 3)")" = True
+
 # pandas, by a part of it that takes what a DataFrame takes.
 mkdir pandas
 printf 'class DataFrame:\n    def __init__(self, rows):\n        self.rows = rows\n' >pandas/__init__.py
