@@ -356,7 +356,7 @@ static char *write_deadlock(const struct waitfor *w, const char *path)
 static int status_of(const struct machine *m, const struct race_reports *races)
 {
     if (m->outcome == MACHINE_ENDED || m->outcome == MACHINE_STOPPED)
-        return races->count ? EXIT_FINDINGS : 0;
+        return races->count || races->dropped ? EXIT_FINDINGS : 0;
     return m->outcome == MACHINE_DEADLOCK ? 2 : 1;
 }
 

@@ -18,7 +18,8 @@ static struct race_report_side side_of(struct race_texts *t, const struct node_r
                                    .writes = s->write,
                                    .in_handler = s->in_handler,
                                    .call = p->call ? race_text(t, p->call) : NULL,
-                                   .at = s->at};
+                                   .at = s->at,
+                                   .posted = {.function = "", .file = ""}};
     out.depth = race_text_of_place(t, r, s->place, out.frames, variable);
     if (!p->posted)
         return out;

@@ -89,7 +89,7 @@ struct race_suppressions *race_suppress_read(const char *path, char **error)
     return NULL;
 }
 
-/* The name itself matches, too, though it may have brackets, which a pattern takes for letters to choose from. */
+/* A name matches itself, also one with brackets, which a pattern takes for letters to choose from. */
 static bool matches(const char *pattern, const char *name)
 {
     return strcmp(pattern, name) == 0 || fnmatch(pattern, name, 0) == 0;

@@ -45,12 +45,20 @@ static json_t *named(const char *text, size_t length, const char *what)
     return line > 0 ? location(text, (size_t)(colon - text), line, what) : NULL;
 }
 
-/* The first place in parentheses that a report names. */
+/* "40 bytes, ring.c:3": a variable, and where it is declared. */
+static bool is_of_variable(const char *text)
+{
+    size_t digits = strspn(text, "0123456789");
+    return digits && strncmp(text + digits, " byte", 5) == 0;
+}
+
+/* The first place in parentheses that a report names, and at which something has happened. */
 static json_t *first_named(const char *text)
 {
     json_t *found = NULL;
     for (const char *at = text; !found && (at = strchr(at, '(')); at++)
-        found = named(at + 1, strcspn(at + 1, "()\n"), NULL);
+        if (!is_of_variable(at + 1))
+            found = named(at + 1, strcspn(at + 1, "()\n"), NULL);
     return found;
 }
 

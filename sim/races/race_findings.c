@@ -33,6 +33,10 @@ static void make_room(struct race_findings *t)
 void race_findings_add(struct race_findings *t, const struct race_finding *f)
 {
     make_room(t);
+    if (!f->earlier.place || !f->later.place) {
+        t->dropped++;
+        return;
+    }
     uint32_t bucket = (uint32_t)((pair_of(f) * UINT64_C(0x9e3779b97f4a7c15)) >> 40) % BUCKETS;
     struct race_finding *there = find(t, f, bucket);
     if (there) {

@@ -33,7 +33,7 @@ struct race_finding {
 struct race_findings {
     struct race_finding *list; /* list[0] is not used */
     uint32_t count, room;
-    uint64_t dropped; /* found when there was no room left: RACE_MOST_FINDINGS */
+    uint64_t dropped; /* found when there was no room left: RACE_MOST_FINDINGS, or RACE_MOST_PLACES */
     uint32_t *buckets;
 };
 

@@ -98,6 +98,17 @@ static void a_pair_of_places_is_kept_once(void **state)
     race_findings_end(&t);
 }
 
+static void of_a_place_that_found_no_room_nothing_is_told(void **state)
+{
+    (void)state;
+    struct race_findings t = {0};
+    struct race_finding f = {.what = RACE_ON_SEND, .earlier = {.place = 0}, .later = {.place = 7}};
+    race_findings_add(&t, &f);
+    assert_int_equal(t.count, 1);
+    assert_int_equal(t.dropped, 1);
+    race_findings_end(&t);
+}
+
 static void findings_are_bounded(void **state)
 {
     (void)state;
@@ -119,6 +130,7 @@ int main(void)
         cmocka_unit_test(an_empty_buffer_is_met_by_nothing),
         cmocka_unit_test(the_gap_has_no_buffer),
         cmocka_unit_test(a_pair_of_places_is_kept_once),
+        cmocka_unit_test(of_a_place_that_found_no_room_nothing_is_told),
         cmocka_unit_test(findings_are_bounded),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
