@@ -77,6 +77,11 @@ END
 sarif -n 1 over
 check "--asan: its kind and its line" test "$(cat found)" = "heap-buffer-overflow error over.c:$(line over.c 'p[8')"
 
+printf 'static volatile int a[4];\nint main(int argc, char **argv)\n{\n    a[argc + 3] = 1;\n    return 0;\n}\n' >global.c
+"$BUILD/nxcc" -g --asan -o global global.c
+sarif -n 1 global
+check "--asan: not where the variable is declared" test "$(cat found)" = "global-buffer-overflow error global.c:4"
+
 printf '#include <stddef.h>\nint main(void)\n{\n    *(volatile int *)NULL = 1;\n    return 0;\n}\n' >null.c
 "$BUILD/nxcc" -g -o null null.c
 sarif -n 1 null
