@@ -53,6 +53,19 @@ hosts_zlib() {
 }
 check "and the stand-ins before the host's, though their folder is named" hosts_zlib
 
+in_files() {
+    echo 'hello.c @rest -o "from files"' >all && echo "other.c -lm --profile '-DTEXT=\"a b\"'" >rest &&
+        "$NXCC" @all && [ -x "from files" ] && "$NXCC" --dry-run @all | grep -q -- '-arg-count-profile .*-DTEXT="a b" -o from files'
+}
+check "arguments in files, @FILE, are nxcc's, too" in_files
+check "a file that is not there is an argument" says "@nowhere" "$NXCC" hello.c @nowhere
+apart() { "$NXCC" --dry-run hello.o -l stdc++ -l blas -l mpi -L own | grep -q -- '-Lown.*libkmath.a.*libmpi.a.*cplusplus.o' && "$NXCC" --dry-run -x c++ -c hello.c | grep -q thread_local; }
+check "-l blas is -lblas" apart
+check "an option whose value is missing takes none of nxcc's" says "-I: its value is missing behind it" "$NXCC" -c hello.c -I
+relocatable() { "$NXCC" -O2 -r -o both.o hello.c other.c && "$NXCC" -o hello both.o -lm; }
+check "-r makes one object of several" relocatable
+check "a profile by GCC's library is refused" says "-p: needs a library that a node does not have" "$NXCC" -p -c hello.c
+
 shell() { ./hello >said 2>&1; [ $? = 126 ] && grep -q "touchstone run" said; }
 check "started in a shell it says how to run it" shell
 
@@ -154,6 +167,32 @@ check "if77: an option that nothing has is refused" says "-Monetrip: GNU Fortran
 same() { "$NXCC" -O2 -S -o a.s hello.c && "$NXCC" -O2 -S -o b.s hello.c && cmp a.s b.s; }
 check "the same source gives the same code" same
 
+cat >p.c <<'EOF'
+int printf(const char *, ...);
+typedef int four __attribute__((vector_size(16)));
+typedef int eight __attribute__((vector_size(32)));
+volatile VECTOR a, b;
+int main(void) { VECTOR x = a, y = b; for (int i = 0; i < 1000; i++) x += y > x, x[i & 3] = i; b = x; printf("%d\n", b[1]); return 0; }
+EOF
+lanes() { local few more; few=$(units -DVECTOR=four) && more=$(units -DVECTOR=eight) && [ "$more" -gt $((few + 8000000)) ] && ./p 2>said | grep -qx 997; }
+check "a vector costs by its elements" lanes
+cat >p.c <<'EOF'
+int printf(const char *, ...);
+static int first_above(int k)
+{
+    __label__ out;
+    int first = 0;
+    void look(int x) { if (x > k) { first = x; goto out; } }
+    for (int i = 0;; i++)
+        look(i);
+out:
+    return first;
+}
+int main(void) { printf("%d\n", first_above(7)); return 0; }
+EOF
+out_of_nested() { units >said && [ "$(./p 2>said)" = 8 ]; }
+check "a nested function leaves its caller by goto" out_of_nested
+
 echo '#include <math.h>
 float root(float x) { return 1 / sqrtf(x); }
 volatile float two = 2;
@@ -210,6 +249,9 @@ check "a missing class is an error" bad "" "'integer' is missing"
 check "a negative cost is an error" bad "integer = -1;" "must be from 0"
 check "a cost that is no number is an error" bad 'integer = "one";' "must be a number"
 check "a syntax error is an error" bad "integer = ;" "bad.cfg:"
+whole() { { grep -vE '^(@include|cache|tlb)' "$TEST/../../node/cpu/i860.cfg"; echo "$1"; } >bad.cfg && says "$2" "$NXCC" --costs bad.cfg -c p.c; }
+check "a cache that is no group is an error" whole 'cache = ( 1 );' "cache: must be a group { ... }"
+check "calls that are no list are an error" whole 'calls = 5;' "calls: must be a list ( ... )"
 
 inlines() { # VALUE OPTIONS... - what is left of the calls of a small function, by a cpu file that says inlines = VALUE
     cp "$TEST/../../node/cpu/i860-calls.cfg" .

@@ -73,7 +73,8 @@ bool is_memory(tree operand)
 /* 8-byte words moved by a copy of this type: 1 for any scalar. */
 int64_t words(tree type)
 {
-    if (!AGGREGATE_TYPE_P(type) || !TYPE_SIZE_UNIT(type) || !tree_fits_uhwi_p(TYPE_SIZE_UNIT(type)))
+    if (!(AGGREGATE_TYPE_P(type) || VECTOR_TYPE_P(type)) || !TYPE_SIZE_UNIT(type) ||
+        !tree_fits_uhwi_p(TYPE_SIZE_UNIT(type)))
         return 1;
     return (int64_t)((tree_to_uhwi(TYPE_SIZE_UNIT(type)) + 7) / 8);
 }
@@ -162,7 +163,13 @@ int64_t compare_cost(tree operand)
     return is_float(TREE_TYPE(operand)) ? table.clocks.fp_compare : table.clocks.integer;
 }
 
-/* The cost of the operation of an assignment, without loads and store. */
+/* The elements of a vector, which the simulated processors compute one by one; 1 for any other type. */
+int64_t lanes(tree type)
+{
+    return VECTOR_TYPE_P(type) ? (int64_t)TYPE_VECTOR_SUBPARTS(type).to_constant() : 1;
+}
+
+/* The cost of the operation of an assignment, or of one element of a vector, without loads and store. */
 int64_t operation_cost(gassign *stmt)
 {
     tree_code code = gimple_assign_rhs_code(stmt);
@@ -200,7 +207,8 @@ int64_t assign_cost(gassign *stmt)
         return 0;
     if (int64_t block = moved_block_cost(stmt))
         return block;
-    int64_t cost = operation_cost(stmt) + memory_cost(gimple_assign_lhs(stmt), table.clocks.store);
+    int64_t cost = lanes(TREE_TYPE(gimple_assign_lhs(stmt))) * operation_cost(stmt) +
+                   memory_cost(gimple_assign_lhs(stmt), table.clocks.store);
     if (gimple_assign_single_p(stmt)) {
         cost += memory_cost(gimple_assign_rhs1(stmt), table.clocks.load);
         if (is_memory(gimple_assign_lhs(stmt)))
@@ -321,6 +329,14 @@ int64_t internal_cost(gcall *call)
     case IFN_PARITY:
     case IFN_POPCOUNT:
         return table.clocks.call + table.clocks.argument;
+    case IFN_VCOND: /* a comparison and a choice for each element */
+    case IFN_VCONDU:
+    case IFN_VCONDEQ:
+        return lanes(TREE_TYPE(lhs)) * (compare_cost(gimple_call_arg(call, 0)) + table.clocks.branch);
+    case IFN_VCOND_MASK:
+        return lanes(TREE_TYPE(lhs)) * table.clocks.branch;
+    case IFN_VEC_SET: /* of one element, whose place varies */
+        return table.clocks.index + table.clocks.integer;
     case IFN_SPACESHIP: /* less, equal or greater? Branches on that follow. */
         return 2 * table.clocks.fp_compare;
     case IFN_ATOMIC_BIT_TEST_AND_SET:

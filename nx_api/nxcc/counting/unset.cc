@@ -32,10 +32,16 @@ struct mention {
     basic_block bb;
 };
 
+/* Where a nested function that leaves its callers by goto finds the frame: filled in before anything else. */
+bool is_for_nonlocal_goto(tree v)
+{
+    return cfun->nonlocal_goto_save_area && get_base_address(cfun->nonlocal_goto_save_area) == v;
+}
+
 bool is_local(tree v)
 {
-    return VAR_P(v) && auto_var_in_fn_p(v, current_function_decl) && !is_gimple_reg(v) &&
-           !DECL_HARD_REGISTER(v) && !DECL_HAS_VALUE_EXPR_P(v) && DECL_SIZE_UNIT(v) &&
+    return VAR_P(v) && !is_for_nonlocal_goto(v) && auto_var_in_fn_p(v, current_function_decl) &&
+           !is_gimple_reg(v) && !DECL_HARD_REGISTER(v) && !DECL_HAS_VALUE_EXPR_P(v) && DECL_SIZE_UNIT(v) &&
            TREE_CODE(DECL_SIZE_UNIT(v)) == INTEGER_CST && !integer_zerop(DECL_SIZE_UNIT(v));
 }
 
