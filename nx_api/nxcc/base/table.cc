@@ -83,9 +83,11 @@ bool text(reader &r, const config_setting_t *s, std::string &value)
     return true;
 }
 
-/* Fails at a key of group that is not allowed: a misspelt key must not go unnoticed. */
+/* Fails if it is no group, or at a key that is not allowed: a misspelt key must not go unnoticed. */
 bool only_keys(reader &r, const config_setting_t *group, const std::set<std::string> &allowed)
 {
+    if (!config_setting_is_group(group))
+        return r.fail(group, std::string(config_setting_name(group)) + ": must be a group { ... }");
     for (int i = 0; i < config_setting_length(group); i++) {
         const config_setting_t *s = config_setting_get_elem(group, (unsigned)i);
         if (allowed.count(config_setting_name(s)))
@@ -103,8 +105,6 @@ bool read_clocks(reader &r, const config_setting_t *group, class_costs &costs)
     std::set<std::string> names;
     for (const class_key &key : class_keys)
         names.insert(key.name);
-    if (!config_setting_is_group(group))
-        return r.fail(group, "clocks: must be a group { ... }");
     if (!only_keys(r, group, names))
         return false;
     for (const class_key &key : class_keys) {
@@ -213,8 +213,8 @@ bool read_cache(reader &r, const config_setting_t *group, cache_costs &cache)
     int64_t bytes;
     return only_keys(r, group, {"bytes", "ways", "line", "load_miss", "store_miss", "write_back"}) &&
            miss(r, group, "load_miss", cache.load_miss) && miss(r, group, "store_miss", cache.store_miss) &&
-           miss(r, group, "write_back", cache.write_back) &&
-           power_of_two(r, group, "bytes", 1, bytes) && power_of_two(r, group, "ways", 1, cache.data.ways) &&
+           miss(r, group, "write_back", cache.write_back) && power_of_two(r, group, "bytes", 1, bytes) &&
+           power_of_two(r, group, "ways", 1, cache.data.ways) &&
            power_of_two(r, group, "line", NXC_CACHE_SET_BYTES, cache.data.line) &&
            read_level(r, group, bytes / cache.data.line, NXC_CACHE_SETS, cache.data);
 }
@@ -259,6 +259,8 @@ bool read_costs(reader &r, const config_setting_t *root, cost_table &table)
         return r.fail(root, "'clocks' and 'calls' are needed");
     if (!read_clocks(r, clocks, table.clocks))
         return false;
+    if (!config_setting_is_aggregate(calls))
+        return r.fail(calls, "calls: must be a list ( ... )");
     for (int i = 0; i < config_setting_length(calls); i++)
         if (!read_call(r, config_setting_get_elem(calls, (unsigned)i), table))
             return false;

@@ -15,12 +15,8 @@ int texts::number(const std::string &s)
 void texts::write() const
 {
     for (size_t i = 0; i < all.size(); i++) {
-        fprintf(asm_out_file, ".L%s%zu:\t.string \"", label.c_str(), i);
-        for (char c : all[i]) {
-            if (c == '"' || c == '\\')
-                fputc('\\', asm_out_file);
-            fputc(c, asm_out_file);
-        }
-        fputs("\"\n", asm_out_file);
+        fprintf(asm_out_file, ".L%s%zu:\t.string ", label.c_str(), i);
+        output_quoted_string(asm_out_file, all[i].c_str());
+        fputc('\n', asm_out_file);
     }
 }
