@@ -150,7 +150,6 @@ static void add_link(struct arguments *a, const struct places *p)
         "-Wl,--no-dynamic-linker", /* the simulator loads it; run in a shell it reaches runtime.c's _start */
         "-Wl,-z,defs",
         "-Wl,-z,now",
-        "-Wl,-z,noexecstack",
         "-Wl,-z,norelro", /* nobody protects them: so addresses and data need not begin pages of their own */
         "-Wl,--hash-style=sysv", /* its chain count is the number of dynamic symbols */
         "-Wl,--build-id",

@@ -88,6 +88,7 @@ static bool find_loads(struct elf_file *f, char **error)
     uint64_t end = 0;
     for (size_t i = 0; i < h->e_phnum; i++) {
         f->thread_locals |= ph[i].p_type == PT_TLS;
+        f->runs_stack |= ph[i].p_type == PT_GNU_STACK && ph[i].p_flags & PF_X;
         if (ph[i].p_type != PT_LOAD || ph[i].p_memsz == 0)
             continue;
         if (ph[i].p_offset > f->size || ph[i].p_filesz > f->size - ph[i].p_offset)

@@ -37,6 +37,7 @@ struct elf_file {
     uint64_t dynamic_at;                       /* the address of PT_DYNAMIC */
     bool debug;                                /* the file has line numbers */
     bool thread_locals;                        /* the file has a segment of thread-local variables */
+    bool runs_stack;                           /* a nested function's address leads to code on the stack */
     const char *costs;                         /* lines of the section of costs_mark.h, */
     size_t costs_size;                         /* so many bytes */
     _Atomic(struct elf_functions *) functions; /* elf_functions.h; NULL: nobody has asked yet */

@@ -401,6 +401,13 @@ static bool map_pages(const struct node_image *img, const struct node *n)
     return true;
 }
 
+static bool map_stack(const struct node_image *img, const struct node *n)
+{
+    return !img->elf->runs_stack || n->guest.region->copies_text ||
+           mprotect(n->guest.stack, (size_t)(n->guest.program - n->guest.stack),
+                    PROT_READ | PROT_WRITE | PROT_EXEC) == 0;
+}
+
 /* Fills the data of the program at base. Words need not be aligned (packed structures), hence memcpy. */
 static void fill_data(const struct node_image *img, struct node *n, node_own_data *own_data, char *base)
 {
@@ -424,12 +431,13 @@ bool node_image_map(const struct node_image *img, struct node *n, node_own_data 
 {
     char *base = n->guest.program;
     assert(base);
-    if (!map_pages(img, n))
+    if (!map_pages(img, n) || !map_stack(img, n))
         return elf_fail(error, "%s: cannot be loaded into %s: %s%s", img->elf->path, n->cold->name,
                         strerror(errno),
                         errno == ENOMEM ? " (vm.max_map_count may be too small for so many nodes)" : "");
     fill_data(img, n, own_data, base);
     n->guest.file = img;
+    n->guest.runs_stack = img->elf->runs_stack;
     n->guest.image = (struct nxc_image *)(base + img->object);
     n->guest.image_bytes = img->bytes;
     uintptr_t left = (uintptr_t)n->guest.image->left, main = (uintptr_t)n->guest.image->main;

@@ -203,6 +203,7 @@ struct node_guest {
     char *data;                                               /* of the program, behind text and constants */
     enum node_text text;
     bool heap_guarded; /* span_guard_heap */
+    bool runs_stack;   /* the program puts code there */
     const struct node_image *file;
     struct nxc_image *image;
     size_t image_bytes; /* text, data and bss, page rounded */

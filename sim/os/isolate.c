@@ -21,7 +21,8 @@ static void set_writable(const struct node *n, bool writable)
         protect(n->guest.stack, (size_t)(n->guest.program + n->guest.image_bytes - n->guest.stack),
                 how | PROT_EXEC);
     } else {
-        protect(n->guest.stack, (size_t)(n->guest.program - n->guest.stack), how);
+        protect(n->guest.stack, (size_t)(n->guest.program - n->guest.stack),
+                n->guest.runs_stack ? how | PROT_EXEC : how);
         protect(data, (size_t)(n->guest.program + n->guest.image_bytes - data), how);
     }
     protect(n->guest.heap_start, n->guest.region->heap_bytes, how);

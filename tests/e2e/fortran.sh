@@ -27,6 +27,34 @@ check "mixed: the same" diff expected out
 check "mixed: options of gcc's that have values" "$BUILD/nxcc" -O2 -z noexecstack -B /usr/bin -o mixed mixed.c part.f90
 check "mixed: nxf77 compiles C" nxf77 -node -o linked mixed.c part.o
 
+# --- the address of an internal procedure leads to code on the stack
+cat >passed.f90 <<'EOF'
+program p
+  integer, automatic :: sum
+  sum = 0
+  call each(add)
+  print *, sum
+contains
+  subroutine add(i)
+    sum = sum + i * n()
+  end
+  integer function n()
+    n = 10
+  end
+  subroutine each(f)
+    integer :: k
+    do k = 1, 4
+      call f(k)
+    end do
+  end
+end
+EOF
+check "passed: compiles, without a warning of the linker's" eval 'nxf77 -o passed passed.f90 && [ ! -s compile.err ]'
+for mode in "" --isolate; do
+    run -n 2 $mode passed
+    check "passed: an internal procedure is an argument $mode" eval 'ended_with 0 && [ "$(grep -c "^ *100$" out)" = 2 ]'
+done
+
 # --- a REAL(16) alone in READ and PRINT; -lquadmath
 printf 'real(16) x\nread *, x\nprint *, sqrt(x)\nend\n' >quad.f90
 for library in -lm -lquadmath; do
@@ -230,6 +258,19 @@ runs_with_input dialect
 check "dialect: ENCODE and DECODE, INTEGERs as conditions and texts, VAX's words for files, ACCEPT, VIRTUAL, OPTIONS, EXTERNAL of itself" \
     prints '   12  3.50xx\n 12abcdgh     7\n   20 83.50xx         208\n odd\n odd, too\n the other way round\n           2           0\n Hollerith\n           5           6\n F\n           5          42\n again           2\n'
 check "dialect: lines are those of the original" said 'dialect\.f:76: Fortran run-time error: .*/nowhere/at/all'
+mkdir made
+echo '      integer step' >made/step.h
+printf '#include "step.h"\n      step = 1\n      if (step) print *, "odd"\n      end\n' >made/asks.F
+makes() { nxf77 -cpp "$@" -MMD made/asks.F; }
+needs() { grep -q '^asks.o: made/asks\.F ' "$1" && grep -q 'made/step\.h$' "$1" && ! grep -q /nxcc "$1"; } # FILE
+makes -c
+check "dialect: what make reads names the file, not its copy" needs asks.d
+left_in_tmp() { ls -d /tmp/nxcc?????? 2>/dev/null | sort; }
+left_in_tmp >before
+makes -o made/asks -save-temps
+check "dialect: also of a program" eval 'sed "s|^made/asks ||" made/asks.d >program.d && needs program.d'
+check "dialect: with all that GCC writes, which nothing of nxcc's own keeps" eval '[ -s made/asks-asks.s ] && ! left_in_tmp | comm -13 before - | grep .'
+check "dialect: what make reads, alone" eval 'nxf77 -MM made/asks.F >alone.d && needs alone.d && [ "$(grep -c : alone.d)" = 1 ]'
 check "dialect: -Munixlogical" nxf77 -Mextend -Munixlogical -o dialect dialect.f
 runs_with_input dialect
 check "dialect: -Munixlogical: an INTEGER is true if it is not 0" grep -qx ' even' out
