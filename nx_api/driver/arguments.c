@@ -83,14 +83,6 @@ static bool take_stubs(struct arguments *a, const char *option)
     return true;
 }
 
-static bool is_one_of(const char *s, const char *const *list)
-{
-    for (; *list; list++)
-        if (!strcmp(s, *list))
-            return true;
-    return false;
-}
-
 static bool is_cplusplus_file(const char *argument)
 {
     static const char *const endings[] = {"cc", "C", "cpp", "cxx", "c++", "cp", "CPP", "ii", NULL};
@@ -114,6 +106,8 @@ static enum kind kind_of(const char *argument)
 /* Options that would make another kind of program, with the reason why they cannot be had. */
 static void refuse(const char *s, bool mpi)
 {
+    static const char *const measures[] = {"-p", "-pg", "--coverage", "-fprofile-arcs", "-fprofile-generate",
+                                           NULL};
     if (!strncmp(s, "-flto", 5) && strcmp(s, "-flto=no"))
         fail("%s: the costs are counted when each file is compiled, so there is no link-time optimisation",
              s);
@@ -125,7 +119,7 @@ static void refuse(const char *s, bool mpi)
         fail("%s: a node program is a position-independent 64-bit image that the simulator loads; leave it "
              "out",
              s);
-    if (!strncmp(s, "-fsanitize", 10) || !strcmp(s, "-pg") || !strcmp(s, "--coverage"))
+    if (!strncmp(s, "-fsanitize", 10) || is_one_of(s, measures))
         fail("%s: needs a library that a node does not have%s", s,
              strcmp(s, "-fsanitize=address") ? "" : "; nxcc's own check of accesses is --asan");
 }
@@ -210,12 +204,12 @@ static bool take_own(struct arguments *a, int argc, char **argv, int *i)
 
 static void take_for_gcc(struct arguments *a, const char *argument)
 {
-    static const char *const no_link[] = {"-c", "-S", "-E", "-M", "-MM", "-fsyntax-only", NULL};
+    static const char *const no_link[] = {"-c", "-S", "-E", "-M", "-MM", "-r", "-fsyntax-only", NULL};
     enum kind kind = kind_of(argument);
     refuse(argument, a->mpi);
     if (is_cplusplus_file(argument) && a->mpi)
         fail("%s: NX programs in C++ are for simulated nodes; nxcc --mpi compiles C and Fortran", argument);
-    a->cplusplus = a->cplusplus || is_cplusplus_file(argument);
+    a->cplusplus = a->cplusplus || is_cplusplus_file(argument) || !strcmp(argument, "-xc++");
     a->silent = a->silent || !strcmp(argument, "-w");
     a->warnings = a->warnings || (!strncmp(argument, "-W", 2) && argument[2] != 'l');
     a->links = a->links && !is_one_of(argument, no_link);
@@ -236,6 +230,7 @@ struct arguments arguments_read(int argc, char **argv)
                                              "-U",
                                              "-I",
                                              "-l",
+                                             "-L",
                                              "-x",
                                              "-include",
                                              "-isystem",
@@ -277,13 +272,12 @@ struct arguments arguments_read(int argc, char **argv)
     for (int i = 1; i < argc; i++) {
         if (take_own(&a, argc, argv, &i))
             continue;
-        if (is_one_of(argv[i], with_value) && i + 1 < argc) {
+        if (is_one_of(argv[i], with_value)) {
             enum kind kind = strcmp(argv[i], "-o") ? OPTION : OUTPUT;
-            a.cplusplus = a.cplusplus || (!strcmp(argv[i], "-x") && !strcmp(argv[i + 1], "c++"));
+            if (i + 1 == argc) /* GCC would take an option of nxcc's for the value */
+                fail("%s: its value is missing behind it", argv[i]);
             add_kind(&a, argv[i], kind);
             add_kind(&a, argv[++i], kind);
-        } else if (!strcmp(argv[i], "-L") && i + 1 < argc) {
-            add(&a, text("-L%s", argv[++i]));
         } else {
             take_for_gcc(&a, argv[i]);
         }

@@ -10,6 +10,7 @@
 #include <unistd.h>
 #include "nx_api/driver/rewrite.h"
 #include "nx_api/driver/source.h"
+#include "nx_api/driver/temporary.h"
 #include "nx_api/driver/text.h"
 
 enum { ROUNDS = 100, FIXED_WIDTH = 72, ANY_WIDTH = 10000 };
@@ -17,14 +18,22 @@ enum { ROUNDS = 100, FIXED_WIDTH = 72, ANY_WIDTH = 10000 };
 /* A Fortran file of the user's, and its copy. */
 struct file {
     struct source source;
-    char *folder, *copy;
+    char *copy;
 };
 
 struct files {
-    char folder[sizeof P_tmpdir "/nxccXXXXXX"];
+    char *folder;
     struct file *list;
     size_t count;
 };
+
+static bool has_one_of(const char **gcc, const char *const *options)
+{
+    for (; *gcc; gcc++)
+        if (is_one_of(*gcc, options))
+            return true;
+    return false;
+}
 
 /* --- running gcc --- */
 
@@ -99,18 +108,15 @@ static struct file file_read(const char **gcc, const char *folder, size_t number
     if (mkdir(own, 0700))
         fail("%s: %s", own, strerror(errno));
     return (struct file){.source = source_read(name, fixed, fixed ? width_of(gcc) : ANY_WIDTH),
-                         .folder = own,
                          .copy = text("%s/%s", own, slash ? slash + 1 : name)};
 }
 
 static struct files files_read(const char **gcc, const struct arguments *user)
 {
-    struct files all = {.folder = P_tmpdir "/nxccXXXXXX"};
+    struct files all = {.folder = temporary_folder()};
     all.list = calloc(user->count, sizeof *all.list);
     if (!all.list)
         fail("out of memory");
-    if (!mkdtemp(all.folder))
-        fail("%s: %s", all.folder, strerror(errno));
     for (size_t i = 0; i < user->count; i++)
         if (user->gcc[i].kind == FORTRAN_FILE)
             all.list[all.count] = file_read(gcc, all.folder, all.count, user->gcc[i].text), all.count++;
@@ -123,15 +129,6 @@ static void files_write(struct files *all, bool marked)
         source_write(&all->list[i].source, all->list[i].copy, marked);
         source_settle(&all->list[i].source);
     }
-}
-
-static void files_remove(struct files *all)
-{
-    for (size_t i = 0; i < all->count; i++) {
-        unlink(all->list[i].copy);
-        rmdir(all->list[i].folder);
-    }
-    rmdir(all->folder);
 }
 
 /* --- rewriting what gcc complains of --- */
@@ -197,6 +194,42 @@ static const char **more_options(const struct files *all, const char *const *opt
     return more;
 }
 
+/* --- what make reads: the files that a file is made of (-MD) --- */
+
+/* Where GCC has put it for a file of the user's; NULL: it was not asked for. */
+static const char *dependencies_of(const char **gcc, const struct source *s)
+{
+    static const char *const asked[] = {"-MD", "-MMD", NULL};
+    const char *slash = strrchr(s->name, '/'), *output = slash ? slash + 1 : s->name;
+    if (!has_one_of(gcc, asked))
+        return NULL;
+    for (; *gcc; gcc++) {
+        if (!strcmp(*gcc, "-MF"))
+            return gcc[1];
+        if (!strcmp(*gcc, "-o"))
+            output = gcc[1];
+    }
+    const char *dot = strrchr(output, '.');
+    return text("%.*s.d", (int)(dot && !strchr(dot, '/') ? (size_t)(dot - output) : strlen(output)), output);
+}
+
+/* Puts the user's file there in the place of its copy. */
+static void name_original(const char *path, const struct file *file)
+{
+    char *all = NULL, *copy;
+    size_t size = 0;
+    FILE *f = path ? fopen(path, "r+") : NULL;
+    if (f && getdelim(&all, &size, '\0', f) > 0 && (copy = strstr(all, file->copy))) {
+        rewind(f);
+        fprintf(f, "%.*s%s%s", (int)(copy - all), all, file->source.name, copy + strlen(file->copy));
+        if (fflush(f) || ftruncate(fileno(f), ftell(f)))
+            fail("%s: %s", path, strerror(errno));
+    }
+    free(all);
+    if (f)
+        fclose(f);
+}
+
 static int compile_copies(const char **gcc, const struct arguments *user)
 {
     static const char *const look[] = {"-fsyntax-only", "-fdiagnostics-plain-output", "-fmax-errors=0", NULL};
@@ -207,7 +240,9 @@ static int compile_copies(const char **gcc, const struct arguments *user)
         ;
     files_write(&all, true);
     int status = run(with_copies(gcc, &all, more_options(&all, none)), NULL);
-    files_remove(&all);
+    for (size_t i = 0; i < all.count; i++)
+        name_original(dependencies_of(gcc, &all.list[i].source), &all.list[i]);
+    temporary_remove(all.folder);
     return status;
 }
 
@@ -260,7 +295,8 @@ static int run_once(const char **gcc, FILE **said)
 
 int dialect_run(const char **gcc, const struct arguments *user)
 {
-    static const char *const no_structures[] = {"-fno-dec-structure", NULL};
+    static const char *const no_structures[] = {"-fno-dec-structure", NULL}, *const dependencies_alone[] = {
+                                                                                 "-M", "-MM", NULL};
     const struct files nothing = {.count = 0};
     FILE *said;
     setenv("LANGUAGE", "en", true); /* the compiler's messages are read */
@@ -270,7 +306,10 @@ int dialect_run(const char **gcc, const struct arguments *user)
         gcc = with_copies(gcc, &nothing, no_structures);
         status = run_once(gcc, &said);
     }
-    if (status && has_said(said, can_be_rewritten))
+    bool rewritable = status && has_said(said, can_be_rewritten);
+    if (rewritable && has_one_of(gcc, dependencies_alone))
+        status = 0; /* they have been printed; GNU Fortran compiles nevertheless */
+    else if (rewritable)
         status = compile_copies(gcc, user);
     else
         copy_to_stderr(said);

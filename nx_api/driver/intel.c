@@ -27,14 +27,6 @@ static const struct translation {
     {"-Mnobackslash", "-fbackslash"},
 };
 
-static bool is_one_of(const char *option, const char *const *list)
-{
-    for (; *list; list++)
-        if (!strcmp(option, *list))
-            return true;
-    return false;
-}
-
 /* Options that chose a way of computing, a library or a file that there is only one of here. GCC's own -M
  * options go on with a capital letter. */
 static bool is_ignored(const char *option)

@@ -12,6 +12,7 @@
 #include "nx_api/driver/arguments.h"
 #include "nx_api/driver/call_counts.h"
 #include "nx_api/driver/command.h"
+#include "nx_api/driver/command_line.h"
 #include "nx_api/driver/common_blocks.h"
 #include "nx_api/driver/dialect.h"
 #include "nx_api/driver/intel.h"
@@ -20,6 +21,7 @@
 #include "nx_api/driver/places.h"
 #include "nx_api/driver/shared_names.h"
 #include "nx_api/driver/stubs.h"
+#include "nx_api/driver/temporary.h"
 #include "nx_api/driver/text.h"
 
 static void print_command(const char *const *gcc)
@@ -87,6 +89,32 @@ static int run(const struct arguments *user, const struct places *p, bool link)
 
 /* --- C and Fortran in one command --- */
 
+/* Gives what GCC writes besides the object the names that it would have if the program were made at once:
+ * what make reads (-MD), and what -save-temps and others ask for. */
+static void name_by_program(struct arguments *a, const char *source, const char *program)
+{
+    static const char *const dependencies[] = {"-MD", "-MMD", NULL};
+    const char *slash = strrchr(source, '/'), *base = slash ? slash + 1 : source;
+    bool asked = false, named = false;
+    if (!strcmp(program, "a.out"))
+        program = "a";
+    for (size_t i = 0; i < a->count; i++) {
+        asked = asked || is_one_of(a->gcc[i].text, dependencies);
+        named = named || !strcmp(a->gcc[i].text, "-MF");
+    }
+    const char *const names[] = {"-dumpdir",      text("%s-", program), "-dumpbase", base,
+                                 "-dumpbase-ext", strrchr(base, '.'),   NULL};
+    add_all(a, names);
+    if (asked && !named) {
+        add(a, "-MF");
+        add(a, text("%s.d", program));
+    }
+    if (asked) {
+        add(a, "-MT");
+        add(a, program);
+    }
+}
+
 /* The user's arguments without the files of one kind; with source: without any files and -o, to make
  * output of source. */
 static struct arguments without(const struct arguments *user, enum kind left_out, const char *source,
@@ -104,6 +132,7 @@ static struct arguments without(const struct arguments *user, enum kind left_out
         add(&a, "-c");
         add(&a, "-o");
         add(&a, output);
+        name_by_program(&a, source, output_of(user));
     }
     return a;
 }
@@ -111,11 +140,9 @@ static struct arguments without(const struct arguments *user, enum kind left_out
 /* To be linked: the Fortran files become objects in a folder of their own first, and take their places. */
 static int link_objects(const struct arguments *user, const struct places *p)
 {
-    char folder[] = P_tmpdir "/nxccXXXXXX";
+    char *folder = temporary_folder();
     struct arguments all = arguments_none(user);
     int status = 0;
-    if (!mkdtemp(folder))
-        fail("%s: %s", folder, strerror(errno));
     for (size_t i = 0; i < user->count; i++) {
         struct argument g = user->gcc[i];
         if (g.kind == FORTRAN_FILE && !status) {
@@ -128,10 +155,7 @@ static int link_objects(const struct arguments *user, const struct places *p)
     }
     if (!status)
         status = run(&all, p, true);
-    for (size_t i = 0; i < all.count; i++)
-        if (!strncmp(all.gcc[i].text, folder, strlen(folder)))
-            unlink(all.gcc[i].text);
-    rmdir(folder);
+    temporary_remove(folder);
     return status;
 }
 
@@ -153,6 +177,7 @@ int __lsan_is_turned_off(void)
 int main(int argc, char **argv)
 {
     intel_become_tool(argv);
+    argv = command_line_read(&argc, argv);
     struct arguments user = arguments_read(argc, argv);
     struct places p = places_find();
     if (!user.has_file && argc == 1)

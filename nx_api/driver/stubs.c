@@ -13,6 +13,7 @@
 #include "nx_api/driver/elf_file.h"
 #include "nx_api/driver/mixed.h"
 #include "nx_api/driver/places.h"
+#include "nx_api/driver/temporary.h"
 #include "nx_api/driver/text.h"
 
 struct names {
@@ -62,6 +63,23 @@ static _Noreturn void become(const char **gcc, bool colors)
     fail_to_run(gcc[0]);
 }
 
+/* Takes out what the linker says of stacks that hold code: they do where the address of a nested function, or
+ * of one of Fortran's internal procedures, is taken. */
+static void drop_stack_warnings(char *said)
+{
+    char *to = said, *rest = said;
+    for (char *line; (line = strsep(&rest, "\n"));) {
+        size_t n = strlen(line);
+        if (strstr(line, " executable stack") || strstr(line, "NOTE: This behaviour is deprecated"))
+            continue;
+        memmove(to, line, n);
+        to += n;
+        if (rest)
+            *to++ = '\n';
+    }
+    *to = '\0';
+}
+
 /* Runs gcc; all that it says, for free(). */
 static char *listen(const char **gcc, int *status)
 {
@@ -85,6 +103,7 @@ static char *listen(const char **gcc, int *status)
     size_t room = 0;
     if (!from || getdelim(&said, &room, 0, from) < 0)
         said = text("%s", "");
+    drop_stack_warnings(said);
     if (from)
         fclose(from);
     if (waitpid(child, status, 0) < 0)
@@ -240,12 +259,9 @@ static void print_stubs(const struct names *n, const char *values, const char *w
 /* Links again, with them. */
 static int link_stubs(const char **gcc, const struct names *n, const char *values)
 {
-    char folder[] = P_tmpdir "/nxccXXXXXX";
     size_t count = 0;
     int status;
-    if (!mkdtemp(folder))
-        fail("%s: %s", folder, strerror(errno));
-    char *path = text("%s/stubs.s", folder);
+    char *folder = temporary_folder(), *path = text("%s/stubs.s", folder);
     write_stubs(n, values, path);
     while (gcc[count])
         count++;
@@ -255,8 +271,7 @@ static int link_stubs(const char **gcc, const struct names *n, const char *value
     memcpy(more, gcc, count * sizeof *more);
     more[count] = path;
     fputs(listen(more, &status), stderr);
-    unlink(path);
-    rmdir(folder);
+    temporary_remove(folder);
     return status;
 }
 

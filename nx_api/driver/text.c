@@ -43,3 +43,11 @@ void text_list(char **list, const char *word)
     free(*list);
     *list = longer;
 }
+
+bool is_one_of(const char *word, const char *const *list)
+{
+    for (; *list; list++)
+        if (!strcmp(word, *list))
+            return true;
+    return false;
+}
