@@ -1,5 +1,5 @@
-/* command_line.h - the command's arguments in the form in which arguments.c takes them: what a file has in the
- * place of @FILE, and -l m as -lm. */
+/* command_line.h - the command's arguments in the form in which arguments.c takes them: what a file has in
+ * the place of @FILE, and -l m as -lm. */
 #ifndef DRIVER_COMMAND_LINE_H
 #define DRIVER_COMMAND_LINE_H
 
