@@ -31,6 +31,10 @@ check "declared again: int for long" declares 'int mynode(void); int mynode(); e
 check "declared again: extern long errno, twice" declares 'extern long errno; extern long errno;'
 again='extern char *malloc(); int atol(); int strlen();'
 check "declared again: C library functions" declares $'#include <stdlib.h>\n#include <string.h>\n'"$again"
+echo '#include <stdlib.h>
+long atol(); char *bsearch();
+int main() { return atol("12") != 12; }' >inline.c
+check "declared again: also what a header has for inlining" "$BUILD/nxcc" -O1 --long32 -o inline inline.c
 check "declared again: another number of arguments is an error" declares_wrongly 'extern long numnodes(long);'
 check "declared again: another kind of result is an error" declares_wrongly 'extern double mynode(void);'
 check "declared again: a pointer to something else is an error" declares_wrongly 'extern void gdsum(float *, long, float *);'

@@ -104,12 +104,12 @@ bool points_at_void(tree type)
 }
 
 /* The header's type, with the program's result where that says what a pointer to void points at. (GCC knows
- * the results of its built-in functions itself.) */
+ * the results of its built-in functions itself, and those of functions that a header has for inlining.) */
 tree type_that_holds(tree header, tree program)
 {
     tree of_header = TREE_TYPE(TREE_TYPE(header)), of_program = TREE_TYPE(TREE_TYPE(program));
-    if (fndecl_built_in_p(header) || fndecl_built_in_p(program) || !points_at_void(of_header) ||
-        !POINTER_TYPE_P(of_program))
+    if (fndecl_built_in_p(header) || fndecl_built_in_p(program) || DECL_INITIAL(header) ||
+        !points_at_void(of_header) || !POINTER_TYPE_P(of_program))
         return TREE_TYPE(header);
     return build_function_type(of_program, TYPE_ARG_TYPES(TREE_TYPE(header)));
 }
@@ -142,18 +142,24 @@ void reconcile(tree old, tree fresh)
     if (are_alike && !(old_holds && defined_in_text(name_of(program)))) {
         TREE_TYPE(program) = TREE_TYPE(header) = type_that_holds(header, program);
         DECL_ARGUMENTS(program) = NULL_TREE;
-    } else if (old_holds && !TREE_USED(old)) {
+    } else if (old_holds && !TREE_USED(old) && !DECL_INITIAL(old)) {
         give_program_s(header, program);
         if (!are_alike)
             undefined.emplace(name_of(program), DECL_SOURCE_LOCATION(program));
     }
 }
 
+/* Is the function defined? What a header has for inlining is no definition: the library has the function. */
+bool has_own_body(tree function)
+{
+    return DECL_INITIAL(function) && !in_header(function);
+}
+
 /* The declaration that is known of decl's function, if its type is another and it is no definition. */
 tree differs(tree decl)
 {
     tree old = lookup_name(DECL_NAME(decl));
-    bool other = old && old != decl && TREE_CODE(old) == FUNCTION_DECL && !DECL_INITIAL(old) &&
+    bool other = old && old != decl && TREE_CODE(old) == FUNCTION_DECL && !has_own_body(old) &&
                  comptypes(TREE_TYPE(old), TREE_TYPE(decl)) != 1;
     return other ? old : NULL_TREE;
 }
@@ -170,7 +176,7 @@ void scan_function(tree decl)
 void scan_definition(tree decl)
 {
     tree old = differs(decl);
-    if (old && by_header(old) && !in_header(decl) && !TREE_USED(old))
+    if (old && by_header(old) && !in_header(decl) && !TREE_USED(old) && !DECL_INITIAL(old))
         give_program_s(old, decl);
     undefined.erase(name_of(decl));
 }
