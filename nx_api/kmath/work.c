@@ -20,6 +20,12 @@ static int64_t loop(const struct kmath_call *c, enum kmath_loop l, int64_t n, in
     return nx_kmath_loop(c->kind, l, n, times);
 }
 
+/* A loop over the rows of each column: none runs if there are no rows. */
+static int64_t columns(const struct kmath_call *c, enum kmath_loop l, int64_t rows, int64_t count)
+{
+    return loop(c, l, rows, rows ? count : 0);
+}
+
 /* A symmetric matrix times a vector: one half is stored, and serves twice once it is there. */
 static int64_t both_halves(const struct kmath_call *c, int64_t n, int64_t times)
 {
@@ -48,7 +54,7 @@ VECTORS(iamax, KMATH_IAMAX)
 
 static int64_t gemv(const struct kmath_call *c) /* trans, m, n */
 {
-    return loop(c, KMATH_MULTIPLY, number(c, 2), number(c, 3));
+    return columns(c, KMATH_MULTIPLY, number(c, 2), number(c, 3));
 }
 
 static int64_t gbmv(const struct kmath_call *c) /* trans, m, n, kl, ku */
@@ -58,7 +64,7 @@ static int64_t gbmv(const struct kmath_call *c) /* trans, m, n, kl, ku */
 
 static int64_t ger(const struct kmath_call *c) /* m, n */
 {
-    return loop(c, KMATH_UPDATE, number(c, 1), number(c, 2));
+    return columns(c, KMATH_UPDATE, number(c, 1), number(c, 2));
 }
 
 static int64_t symv(const struct kmath_call *c) /* uplo, n */
@@ -95,19 +101,19 @@ static int64_t syr2(const struct kmath_call *c) /* uplo, n */
 
 static int64_t gemm(const struct kmath_call *c) /* transa, transb, m, n, k */
 {
-    return loop(c, KMATH_PRODUCT, number(c, 3), number(c, 4) * number(c, 5));
+    return columns(c, KMATH_PRODUCT, number(c, 3), number(c, 4) * number(c, 5));
 }
 
 static int64_t symm(const struct kmath_call *c) /* side, uplo, m, n */
 {
     int64_t m = number(c, 3), n = number(c, 4);
-    return loop(c, KMATH_PRODUCT, m, n * (is(c, 1, 'L') ? m : n));
+    return columns(c, KMATH_PRODUCT, m, n * (is(c, 1, 'L') ? m : n));
 }
 
 static int64_t trmm(const struct kmath_call *c) /* side, uplo, trans, diag, m, n */
 {
     int64_t m = number(c, 5), n = number(c, 6);
-    return is(c, 1, 'L') ? loop(c, KMATH_PRODUCT, m / 2, m * n) : loop(c, KMATH_PRODUCT, m, n * n / 2);
+    return is(c, 1, 'L') ? loop(c, KMATH_PRODUCT, m / 2, m * n) : columns(c, KMATH_PRODUCT, m, n * n / 2);
 }
 
 static int64_t syrk(const struct kmath_call *c) /* uplo, trans, n, k */
@@ -137,7 +143,7 @@ static int64_t lacpy(const struct kmath_call *c) /* uplo, m, n */
 
 static int64_t lascl(const struct kmath_call *c) /* type, kl, ku, cfrom, cto, m, n */
 {
-    return loop(c, KMATH_SCAL, number(c, 6), number(c, 7));
+    return columns(c, KMATH_SCAL, number(c, 6), number(c, 7));
 }
 
 static int64_t lasr(const struct kmath_call *c) /* side, pivot, direct, m, n */
@@ -148,7 +154,7 @@ static int64_t lasr(const struct kmath_call *c) /* side, pivot, direct, m, n */
 
 static int64_t lange(const struct kmath_call *c) /* norm, m, n */
 {
-    return loop(c, KMATH_ASUM, number(c, 2), number(c, 3));
+    return columns(c, KMATH_ASUM, number(c, 2), number(c, 3));
 }
 
 static int64_t lansy(const struct kmath_call *c) /* norm, uplo, n */
