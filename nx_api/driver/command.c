@@ -174,6 +174,10 @@ static void add_link(struct arguments *a, const struct places *p)
     }
     if (a->cplusplus) {
         add(a, "-Wl,--wrap=abort");
+        if (a->asan) { /* asan_runtime.c */
+            add(a, "-Wl,--wrap=_Unwind_RaiseException");
+            add(a, "-Wl,--wrap=_Unwind_Resume_or_Rethrow");
+        }
         add(a, text("%s/cplusplus.o", p->lib));
         add(a, "-l:libstdc++.a");
         add(a, "-l:libgcc_eh.a");

@@ -441,7 +441,11 @@ static inline __attribute__((always_inline)) void tell(const void *address, size
 
 void node_nxc_race_range(const void *address, size_t bytes, const struct nxc_race_site *site)
 {
-    tell(address, bytes, site, __builtin_frame_address(0));
+    struct node *n = node_self();
+    if (site)
+        tell(address, bytes, site, __builtin_frame_address(0));
+    else if (n->asan)
+        asan_jumped(n);
 }
 
 /* Has the strand accessed this word so in this epoch? As is_known(), by one look at the word's cell: this

@@ -163,6 +163,42 @@ check "--asan and --races: nxcc says that one program cannot have both" \
 check "--asan and --mpi: nxcc says that it is for simulated nodes" \
     eval '! "$BUILD/nxcc" --asan --mpi -c "$tests/ring.c" 2>err && grep -q "simulated nodes" err'
 
+# --- programs that the check must not disturb ---
+cat >copied.c <<'EOF'
+#include <stdio.h>
+#include <string.h>
+struct block { int a[60]; };
+static struct { struct block b; char behind[64]; } to;
+static void __attribute__((noinline)) fill(struct block *b, int n) { for (int i = 0; i < 60; i++) b->a[i] = n; }
+static void __attribute__((noinline)) put(struct block *at, int n) { struct block b; fill(&b, n); *at = b; }
+static struct block __attribute__((noinline)) give(int n) { struct block b; fill(&b, n); return b; }
+int main(void)
+{
+    put(&to.b, 1), to.b = give(2);
+    for (int i = 0; i < 64; i++)
+        to.b.a[0] += to.behind[i];
+    printf("%d\n", to.b.a[0]);
+    return 0;
+}
+EOF
+cat >thrown.cc <<'EOF'
+#include <cstdio>
+#include <stdexcept>
+struct block { int a[60]; block(int n) { for (int &x : a) x = n; } };
+int __attribute__((noinline)) last(const block &b) { return b.a[59]; }
+void __attribute__((noinline)) mark(void *p) { asm volatile("" : : "r"(p) : "memory"); }
+int __attribute__((noinline)) deep(int n) { char b[40]; mark(b); if (!n) throw std::runtime_error("deep"); return deep(n - 1) + b[3]; }
+int main() { for (int i = 0; i < 2; i++) try { deep(5 * i); } catch (std::exception &e) { std::printf("%d\n", last(block(2))); } }
+EOF
+for level in -O0 -O2; do
+    "$BUILD/nxcc" --asan $level -o copied copied.c
+    run -n 1 copied
+    check "a structure is copied as it is, $level" eval '[ "$(cat out)" = 2 ]'
+    "$BUILD/nxcc" --asan $level -o thrown thrown.cc
+    run -n 1 thrown
+    check "an exception ends frames with their red zones, $level" eval '[ "$(tr -d "\n" <out)" = 22 ] && ended_with 0'
+done
+
 # --- larger programs, whose handlers, reductions and files are all right ---
 
 # same MACHINE NAME SOURCES... -- ARGUMENTS...: with --asan the program takes the same time and prints the same, with all engines.

@@ -70,7 +70,15 @@ void enlarge(const local &v)
         SET_DECL_ALIGN(v.decl, NXC_ASAN_GRAIN * BITS_PER_UNIT);
 }
 
-void remove_scope_ends(function *f, const std::vector<local> &all)
+/* The variable as what its type has: GCC copies a variable with all the bytes that it has now. */
+tree without_zone(tree decl)
+{
+    return build2(MEM_REF, TREE_TYPE(decl), build_fold_addr_expr(decl),
+                  build_zero_cst(build_pointer_type(TREE_TYPE(decl))));
+}
+
+/* Adapts what mentions the variables: copies of them, and the ends of their scopes, which are taken out. */
+void adapt(function *f, const std::vector<local> &all)
 {
     hash_set<tree> decls;
     basic_block bb;
@@ -79,6 +87,10 @@ void remove_scope_ends(function *f, const std::vector<local> &all)
     FOR_EACH_BB_FN (bb, f)
         for (gimple_stmt_iterator gsi = gsi_start_bb(bb); !gsi_end_p(gsi);) {
             gimple *stmt = gsi_stmt(gsi);
+            if (gimple_assign_single_p(stmt) && decls.contains(gimple_assign_rhs1(stmt))) {
+                gimple_assign_set_rhs1(stmt, without_zone(gimple_assign_rhs1(stmt)));
+                update_stmt(stmt);
+            }
             if (gimple_clobber_p(stmt) && decls.contains(get_base_address(gimple_assign_lhs(stmt)))) {
                 unlink_stmt_vdef(stmt);
                 gsi_remove(&gsi, true);
@@ -186,7 +198,7 @@ void asan_locals_protect(function *f)
         return;
     for (const local &v : all)
         enlarge(v);
-    remove_scope_ends(f, all);
+    adapt(f, all);
     mark_at_beginning(f, all);
     protect_blocks(f, blocks);
     end_at_returns(f, all, !blocks.empty());

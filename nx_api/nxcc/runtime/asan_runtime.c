@@ -2,8 +2,27 @@
  * memory (contract/asan.h). Linked only into programs with a file that was compiled with --asan; compiled by
  * plain gcc.
  */
+#include <unwind.h>
 #include "../../contract/asan.h"
 #include "../../contract/races.h"
+
+/* Exceptions of C++ begin with a call of one of these two, and end frames that mark no end. */
+_Unwind_Reason_Code __real__Unwind_RaiseException(struct _Unwind_Exception *e) __attribute__((weak));
+_Unwind_Reason_Code __real__Unwind_Resume_or_Rethrow(struct _Unwind_Exception *e) __attribute__((weak));
+_Unwind_Reason_Code __wrap__Unwind_RaiseException(struct _Unwind_Exception *e);
+_Unwind_Reason_Code __wrap__Unwind_Resume_or_Rethrow(struct _Unwind_Exception *e);
+
+_Unwind_Reason_Code __wrap__Unwind_RaiseException(struct _Unwind_Exception *e)
+{
+    nxc_race_range(NULL, 0, NULL);
+    return __real__Unwind_RaiseException(e);
+}
+
+_Unwind_Reason_Code __wrap__Unwind_Resume_or_Rethrow(struct _Unwind_Exception *e)
+{
+    nxc_race_range(NULL, 0, NULL);
+    return __real__Unwind_Resume_or_Rethrow(e);
+}
 
 /* In the initialised data, as the counter. */
 #define NXC_DATA __attribute__((visibility("hidden"), section(".data")))
