@@ -60,9 +60,9 @@ struct nxc_races {
 
 /* Served by the simulator; not calls of the program: they take no virtual time and end no lookahead. The
  * counter may be in a register of the program, so that *left tells only where the program was at its last
- * poll or call. The caller has saved the general and the SSE registers, but not the x87's: no long double. A
- * range without a site: an exception is about to end frames, so that the red zones of their variables are to be
- * forgotten. */
+ * poll or call. The caller has saved the general and the SSE registers, but not the x87's: no long double.
+ * A range without a site: an exception is about to end frames, so that the red zones of their variables are
+ * to be forgotten. */
 void nxc_race_access(const void *address, const struct nxc_race_site *site);
 void nxc_race_range(const void *address, size_t bytes, const struct nxc_race_site *site);
 #endif

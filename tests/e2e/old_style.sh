@@ -91,6 +91,25 @@ for options in -O2 --long32 --races; do
     echo "one two" | "$BUILD/touchstone" run -q -n 1 own >out 2>err
     check "own functions: they are called" diff out <(printf '%s -5 4 7 8 2.0\n' one two)
 done
+cat >consts.c <<'END1'
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+int getopt(argc, argv, letters) int argc; char **argv, *letters; { return letters[0] + argc; }
+char *getenv(name) char *name; { return name + 1; }
+int gethostname(name, bytes) int bytes; char *name; { return 2 * bytes; }
+int main(argc, argv) int argc; char **argv;
+{
+    printf("%d %s %d\n", getopt(argc, argv, "a"), getenv("bcd"), gethostname("", -4));
+    return 0;
+}
+END1
+for options in -O0 "-O2 --long32"; do
+    # shellcheck disable=SC2086
+    check "own functions: parameters without a header's const, $options" "$BUILD/nxcc" $options -w -o consts consts.c
+    run -q -n 1 consts
+    check "own functions: they have their arguments, $options" [ "$(cat out)" = "98 cd -8" ]
+done
 check "own functions: not called before, by the header's type" declares_wrongly 'long f() { return gray(1); } int gray(int n) { return n; }'
 check "own functions: a declaration needs a definition" declares_wrongly 'double gray(); double f(void) { return gray(1); }'
 

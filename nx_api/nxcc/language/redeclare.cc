@@ -39,6 +39,9 @@ void (*gcc_insert_attributes)(tree, tree *);
 std::set<std::string> from_header;           /* functions that headers have declared */
 std::map<std::string, location_t> undefined; /* those the program declares otherwise, and has not defined */
 tree defined;                                /* the function whose definition has just begun */
+/* Of a definition in K&R's style: its parameters' names, and their types in the header. */
+std::vector<std::string> parameters;
+tree types_in_header;
 
 const char *name_of(tree decl)
 {
@@ -179,6 +182,28 @@ void scan_definition(tree decl)
     if (old && by_header(old) && !in_header(decl) && !TREE_USED(old) && !DECL_INITIAL(old))
         give_program_s(old, decl);
     undefined.erase(name_of(decl));
+    old = lookup_name(DECL_NAME(decl));
+    bool known = old && old != decl && TREE_CODE(old) == FUNCTION_DECL && by_header(old);
+    types_in_header = known && !prototype_p(TREE_TYPE(decl)) ? TYPE_ARG_TYPES(TREE_TYPE(old)) : NULL_TREE;
+    if (types_in_header)
+        parameters = parameters_in_text(name_of(decl));
+}
+
+/* `int getopt(argc, argv, letters) char **argv, *letters; {`, where a header has more consts: the parameter
+ * is passed as the header says. GCC compares only that. */
+void pass_as_in_header(tree parameter)
+{
+    tree type = types_in_header;
+    for (const std::string &name : parameters) {
+        if (!type || type == void_list_node)
+            return;
+        if (name == name_of(parameter)) {
+            if (alike(TREE_TYPE(parameter), TREE_VALUE(type)))
+                DECL_ARG_TYPE(parameter) = TYPE_MAIN_VARIANT(TREE_VALUE(type));
+            return;
+        }
+        type = TREE_CHAIN(type);
+    }
 }
 
 /* Makes a header's declaration one of the program's static function. */
@@ -208,9 +233,8 @@ void insert_attributes(tree decl, tree *attributes)
 }
 
 /* GCC puts a variable's value expression in the place of each use. */
-void errno_is_the_library_s(void *d, void *)
+void errno_is_the_library_s(tree decl)
 {
-    tree decl = static_cast<tree>(d);
     if (TREE_CODE(decl) != VAR_DECL || !DECL_NAME(decl) || !TREE_PUBLIC(decl) ||
         !INTEGRAL_TYPE_P(TREE_TYPE(decl)) || strcmp(IDENTIFIER_POINTER(DECL_NAME(decl)), "errno"))
         return;
@@ -222,9 +246,18 @@ void errno_is_the_library_s(void *d, void *)
     DECL_HAS_VALUE_EXPR_P(decl) = 1;
 }
 
+void look_at_declaration(void *d, void *)
+{
+    tree decl = static_cast<tree>(d);
+    if (TREE_CODE(decl) == PARM_DECL && DECL_NAME(decl) && types_in_header)
+        pass_as_in_header(decl);
+    errno_is_the_library_s(decl);
+}
+
 void begin_definition(void *decl, void *)
 {
     defined = static_cast<tree>(decl);
+    types_in_header = NULL_TREE;
 }
 
 void end_of_file(void *, void *)
@@ -240,7 +273,7 @@ void start_unit(void *, void *plugin)
         return;
     gcc_insert_attributes = targetm.insert_attributes;
     targetm.insert_attributes = insert_attributes;
-    register_callback(static_cast<const char *>(plugin), PLUGIN_FINISH_DECL, errno_is_the_library_s, NULL);
+    register_callback(static_cast<const char *>(plugin), PLUGIN_FINISH_DECL, look_at_declaration, NULL);
     register_callback(static_cast<const char *>(plugin), PLUGIN_ALL_IPA_PASSES_START, end_of_file, NULL);
 }
 } // namespace

@@ -15,9 +15,8 @@
  */
 #include "base/c_frontend.h"
 #include "language/statics.h"
+#include <map>
 #include <set>
-#include <string>
-#include <vector>
 
 /* The beginning of libcpp's own structure, which no header declares. */
 struct cpp_buffer {
@@ -27,8 +26,9 @@ struct cpp_buffer {
 
 namespace
 {
-std::set<std::string> names;    /* of functions that are defined as static */
-std::set<std::string> has_body; /* functions that are defined, also as static */
+std::set<std::string> names; /* of functions that are defined as static */
+/* Functions that are defined, also as static, and the names between the brackets. */
+std::map<std::string, std::vector<std::string>> has_body;
 void (*next_file_change)(cpp_reader *, const line_map_ordinary *);
 
 /* --- the text as tokens: without comments, strings and directives --- */
@@ -143,6 +143,15 @@ bool is_definition(const std::vector<token> &t, size_t name)
            (t[i].mark == '{' || (!t[i].mark && !is(t[i], "__attribute__") && !is(t[i], "__asm__")));
 }
 
+std::vector<std::string> words_in_brackets(const std::vector<token> &t, size_t open)
+{
+    std::vector<std::string> words;
+    for (size_t i = open; i < behind_brackets(t, open); i++)
+        if (!t[i].mark)
+            words.push_back(text_of(t[i]));
+    return words;
+}
+
 /* Is it "name (), *other ();", all of static functions? name: the index of the first. */
 bool declares_only_them(const std::vector<token> &t, size_t name)
 {
@@ -170,7 +179,7 @@ void scan_text(char *begin, char *end)
         else if (name && depth > 0)
             in_blocks.push_back(i);
         if (depth == 0 && !t[i].mark && i + 1 < t.size() && t[i + 1].mark == '(' && is_definition(t, i))
-            has_body.insert(text_of(t[i]));
+            has_body[text_of(t[i])] = words_in_brackets(t, i + 1);
     }
     for (size_t i : in_blocks)
         if (declares_only_them(t, function_name(t, i)))
@@ -233,6 +242,11 @@ void finish_function(void *, void *)
 bool defined_in_text(const char *function)
 {
     return has_body.count(function);
+}
+
+const std::vector<std::string> &parameters_in_text(const char *function)
+{
+    return has_body[function];
 }
 
 void statics_register(const char *plugin)
