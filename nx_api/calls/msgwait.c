@@ -87,9 +87,12 @@ long nxs_msgcancel(word id)
     if (check_id(n, id) < 0)
         return -1;
     nx_spend_call(n);
+    bool leaves = false;
     for (long i = id; i >= 0; i = mailbox_id_next(n, i))
         if (mailbox_id_receive(n, i))
-            mailbox_withdraw(n, mailbox_id_receive(n, i));
+            leaves |= mailbox_withdraw(n, mailbox_id_receive(n, i));
+    if (leaves)
+        mailbox_serve_posted(n);
     mailbox_id_release(n, id);
     return 0;
 }

@@ -98,9 +98,11 @@ static inline bool mailbox_selects(int64_t typesel, int64_t type)
 
 /* Select an unexpected message for r, or post r. */
 void mailbox_post(struct node *n, struct receive *r);
-/* Withdraw a receive that is not complete. A message already selected becomes unexpected again, the first in
- * order. */
-void mailbox_withdraw(struct node *n, struct receive *r);
+/* Withdraw a receive whose message no call has taken. A message already selected becomes unexpected again,
+ * the first in order; then true is returned, and when all are withdrawn that are to be, the posted receives
+ * are to be served: one may select that message. */
+bool mailbox_withdraw(struct node *n, struct receive *r);
+void mailbox_serve_posted(struct node *n);
 /* Has r's message come whole? */
 bool mailbox_complete(struct node *n, const struct receive *r);
 /* Put a complete message into the program's buffer: spends the time of copying, sets n->info, frees the

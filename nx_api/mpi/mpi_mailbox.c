@@ -153,28 +153,44 @@ void mpi_mailbox_flush(struct node *n, int64_t typesel)
 
 /* --- receiving --- */
 
-void mailbox_post(struct node *n, struct receive *r)
+static void give_unexpected(struct mpi_mailbox *b, struct receive *r, struct message *m)
 {
-    struct mpi_mailbox *b = n->mailbox;
-    struct message *m = matching_first(n, &r->select, b->unexpected), **link = &b->unexpected;
-    r->place = n->call.caller;
-    RECORD_ORDER(receive, r);
-    past_receive(n, r);
-    if (!m) {
-        posted_append(&b->posted, r);
-        return;
-    }
+    struct message **link = &b->unexpected;
     while (*link != m)
         link = &(*link)->next;
     unkeep(b, link);
     give(b, r, m);
 }
 
-void mailbox_withdraw(struct node *n, struct receive *r)
+void mailbox_post(struct node *n, struct receive *r)
+{
+    struct mpi_mailbox *b = n->mailbox;
+    struct message *m = matching_first(n, &r->select, b->unexpected);
+    r->place = n->call.caller;
+    RECORD_ORDER(receive, r);
+    past_receive(n, r);
+    if (m)
+        give_unexpected(b, r, m);
+    else
+        posted_append(&b->posted, r);
+}
+
+void mailbox_serve_posted(struct node *n)
+{
+    struct mpi_mailbox *b = n->mailbox;
+    for (struct receive *r = b->posted.first, *next; r; r = next) {
+        struct message *m = matching_first(n, &r->select, b->unexpected);
+        next = r->next;
+        if (m && posted_remove(&b->posted, r))
+            give_unexpected(b, r, m);
+    }
+}
+
+bool mailbox_withdraw(struct node *n, struct receive *r)
 {
     struct mpi_mailbox *b = n->mailbox;
     if (posted_remove(&b->posted, r))
-        return;
+        return false;
     struct message *m = r->m;
     r->m = NULL;
     m->taker = NULL;
@@ -184,6 +200,7 @@ void mailbox_withdraw(struct node *n, struct receive *r)
     if (!b->unexpected)
         b->unexpected_end = &m->next;
     b->unexpected = m;
+    return true;
 }
 
 bool mailbox_complete(struct node *n, const struct receive *r)

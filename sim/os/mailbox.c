@@ -29,10 +29,15 @@ inline void mailbox_post(struct node *n, struct receive *r)
     front_post(n, r);
 }
 
-void mailbox_withdraw(struct node *n, struct receive *r)
+bool mailbox_withdraw(struct node *n, struct receive *r)
 {
     ANNOUNCE(n, withdraws, r);
-    match_withdraw(n, r);
+    return match_withdraw(n, r);
+}
+
+void mailbox_serve_posted(struct node *n)
+{
+    match_serve_posted(n, node_now(n));
 }
 
 bool mailbox_complete(struct node *n, const struct receive *r)

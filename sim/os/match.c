@@ -215,10 +215,15 @@ void match_select(struct node *n, struct receive *r, struct message *m, vtime no
         due_add(n, vt_max(m->complete, now), r, NULL);
 }
 
-void match_post(struct node *n, struct receive *r, vtime now)
+static inline struct message *first_unexpected(struct node *n, const struct receive *r)
 {
     const struct order_policy *orders = order_policy_of(n);
-    struct message *m = orders ? orders->unexpected(n, r) : unexpected_first(n, &r->select);
+    return orders ? orders->unexpected(n, r) : unexpected_first(n, &r->select);
+}
+
+void match_post(struct node *n, struct receive *r, vtime now)
+{
+    struct message *m = first_unexpected(n, r);
     charge_in_kernel(n, now);
     if (m)
         match_select(n, r, m, now);
@@ -232,15 +237,26 @@ void match_put_back(struct node *n, struct message *m)
     unexpected_put_back(n, m);
 }
 
-void match_withdraw(struct node *n, struct receive *r)
+bool match_withdraw(struct node *n, struct receive *r)
 {
     if (posted_remove(&n->mailbox.posted, r))
-        return;
+        return false;
     struct message *m = r->m;
     r->m = NULL;
     if (!m->buffered)
         buffer(n, m);
     match_put_back(n, m);
+    return true;
+}
+
+void match_serve_posted(struct node *n, vtime now)
+{
+    for (struct receive *r = n->mailbox.posted.first, *next; r; r = next) {
+        struct message *m = first_unexpected(n, r);
+        next = r->next;
+        if (m && posted_remove(&n->mailbox.posted, r))
+            match_select(n, r, m, now);
+    }
 }
 
 vtime match_copying(const struct node *n, const struct message *m)

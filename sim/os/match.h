@@ -27,11 +27,13 @@ void match_abandon(struct node *n);
 void match_empty(struct node *n, vtime now);
 void match_inherit(struct node *n, struct node *before);
 
-/* Posts r at time now, or gives it the unexpected message that it selects. Gives it that one. Withdraws it,
- * with a message that it may have selected. */
+/* Posts r at time now, or gives it the unexpected message that it selects. Gives it that one. Withdraws it;
+ * true: the message that it had selected is unexpected again. Then posted receives are to be served that may
+ * select that message. */
 void match_post(struct node *n, struct receive *r, vtime now);
 __attribute__((noinline)) void match_select(struct node *n, struct receive *r, struct message *m, vtime now);
-void match_withdraw(struct node *n, struct receive *r);
+bool match_withdraw(struct node *n, struct receive *r);
+void match_serve_posted(struct node *n, vtime now);
 /* Sends messages, linked by next, from time now on; returns when the last has left the program. One takes the
  * processor so long. */
 vtime match_send(struct node *n, struct message *first, vtime now);
