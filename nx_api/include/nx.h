@@ -195,7 +195,8 @@ void nx_perror(const char *what);
  * and shared access. I/O modes: 0 each node its own file pointer; 1 one pointer, first come first served; 2
  * one pointer, nodes in order, any lengths; 3 one pointer, nodes in order, equal lengths in each round (and
  * so without waiting). In 2 and 3 all nodes take part. A shared pointer starts where the first node that set
- * the mode had its own pointer. An error ends the process with a message, as in all plain calls. */
+ * the mode had its own pointer; lseek and eseek set it, in 2 and 3 by calls of all nodes. An error ends the
+ * process with a message, as in all plain calls. */
 
 struct iovec; /* sys/uio.h */
 

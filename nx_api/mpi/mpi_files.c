@@ -108,6 +108,12 @@ static struct open_file *file_of(int fd)
 
 /* --- reading and writing --- */
 
+/* lseek of the file's own pointer, which only M_UNIX and M_ASYNC move by. */
+static off_t own_seek(int fd, off_t offset, int whence)
+{
+    return syscall(SYS_lseek, fd, offset, whence);
+}
+
 static int64_t length(const struct iovec *parts, int count)
 {
     int64_t sum = 0;
@@ -122,7 +128,7 @@ static ssize_t move_alike(struct node *n, bool write_it, int fd, const struct io
 {
     struct open_file *f = files_find(fd);
     int32_t pointer = f->pointer;
-    int64_t offset = lseek(fd, 0, SEEK_CUR), bytes = length(parts, count);
+    int64_t offset = own_seek(fd, 0, SEEK_CUR), bytes = length(parts, count);
     shared_check(n, pointer, f->round, bytes);
     table[fd].round++;
     if (write_it)
@@ -131,7 +137,7 @@ static ssize_t move_alike(struct node *n, bool write_it, int fd, const struct io
     int why = errno;
     if (write_it)
         shared_give_back(n, M_SYNC, pointer, 0);
-    lseek(fd, offset + (moved > 0 ? moved : 0), SEEK_SET);
+    own_seek(fd, offset + (moved > 0 ? moved : 0), SEEK_SET);
     errno = why;
     return moved;
 }
@@ -143,7 +149,7 @@ static int64_t next_record(struct node *n, int fd, int64_t bytes)
     shared_check(n, f.pointer, f.round, bytes);
     table[fd].next = f.next + (int64_t)n->sys->count * bytes;
     table[fd].round++;
-    syscall(SYS_lseek, fd, table[fd].next, SEEK_SET);
+    own_seek(fd, table[fd].next, SEEK_SET);
     return f.next + n->id * bytes;
 }
 
@@ -151,12 +157,12 @@ static int64_t next_record(struct node *n, int fd, int64_t bytes)
 static ssize_t move_in_turn(struct node *n, bool write_it, int fd, const struct iovec *parts, int count)
 {
     const struct open_file f = *files_find(fd);
-    int64_t offset = shared_borrow(n, f.mode, f.pointer, lseek(fd, 0, SEEK_CUR));
+    int64_t offset = shared_borrow(n, f.mode, f.pointer, own_seek(fd, 0, SEEK_CUR));
     ssize_t moved = io_move(write_it, fd, offset, parts, count);
     int why = errno;
     int64_t behind = offset + (moved > 0 ? moved : 0);
     shared_give_back(n, f.mode, f.pointer, behind);
-    lseek(fd, behind, SEEK_SET);
+    own_seek(fd, behind, SEEK_SET);
     errno = why;
     return moved;
 }
@@ -300,10 +306,30 @@ ssize_t node_write(int fd, const void *buf, size_t len)
     return is_shared(fd) ? move_shared(node_self(), true, fd, &part, 1) : syscall(SYS_write, fd, buf, len);
 }
 
+/* Sets the pointer that nodes share; the file's own follows. In M_SYNC all nodes seek, each in its turn; but
+ * to ask where the pointer is takes no turn. */
+static off_t seek_shared(struct node *n, int fd, off_t offset, int whence)
+{
+    const struct open_file f = *files_find(fd);
+    const off_t own = own_seek(fd, 0, SEEK_CUR);
+    bool borrows = f.mode == M_LOG || (f.mode == M_SYNC && (offset || whence != SEEK_CUR));
+    if (borrows)
+        own_seek(fd, shared_borrow(n, f.mode, f.pointer, own), SEEK_SET);
+    off_t at = own_seek(fd, offset, whence);
+    int why = errno;
+    off_t now = own_seek(fd, 0, SEEK_CUR);
+    if (borrows)
+        shared_give_back(n, f.mode, f.pointer, now);
+    if (f.mode == M_RECORD)
+        table[fd].next = now;
+    errno = why;
+    return at;
+}
+
 off_t node_lseek(int fd, off_t offset, int whence)
 {
     io_settle(fd);
-    return syscall(SYS_lseek, fd, offset, whence);
+    return is_shared(fd) ? seek_shared(node_self(), fd, offset, whence) : own_seek(fd, offset, whence);
 }
 
 int node_close(int fd)
@@ -349,7 +375,7 @@ static long set_mode(int fd, long mode)
     if (!shares(f))
         return 0;
     f->pointer = pointers++;
-    f->next = lseek(fd, 0, SEEK_CUR);
+    f->next = own_seek(fd, 0, SEEK_CUR);
     f->round = 0;
     if ((mode == M_SYNC || mode == M_GLOBAL) && n->id == 0) /* the pointer starts at node 0 */
         shared_start(n, f->pointer, f->next);
@@ -401,7 +427,7 @@ static int64_t grow(int fd, int64_t offset, int whence)
     if (fstat(fd, &st))
         return -1;
     int64_t from = whence == SIZE_SET   ? 0
-                   : whence == SIZE_CUR ? lseek(fd, 0, SEEK_CUR)
+                   : whence == SIZE_CUR ? own_seek(fd, 0, SEEK_CUR)
                    : whence == SIZE_END ? st.st_size
                                         : -1;
     if (from < 0 || from + offset < 0) {
@@ -440,7 +466,7 @@ long nxs_iseof(word fd)
     struct stat st;
     if (stat_file(fd, &st) < 0)
         return -1;
-    return lseek(fd, 0, SEEK_CUR) >= st.st_size;
+    return own_seek(fd, 0, SEEK_CUR) >= st.st_size;
 }
 
 /* All disks are one. */
