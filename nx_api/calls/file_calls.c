@@ -9,6 +9,8 @@ long nx_check_parts(struct node *n, const struct iovec *parts, long count)
 {
     if (count < 0 || count > 1024)
         return node_error(n, EQLEN, "%ld parts; 0 to 1024 are allowed", count);
+    if (count > 0 && !parts)
+        return node_error(n, EQPBUF, "the list of parts is a null pointer");
     for (long i = 0; i < count; i++)
         if (!parts[i].iov_base && parts[i].iov_len)
             return node_error(n, EQPBUF, "the buffer is a null pointer");

@@ -387,7 +387,10 @@ static long open_one(const char *path, int flags, int mode, unsigned permissions
     int fd = path_open(path, flags, permissions);
     if (fd < 0)
         return fail(path);
-    return set_mode(fd, mode) < 0 ? -1 : fd;
+    if (set_mode(fd, mode) == 0)
+        return fd;
+    node_close(fd);
+    return -1;
 }
 
 long nx_open_one(const char *call, const char *path, int flags, int mode, unsigned permissions, nx_end *end)

@@ -29,6 +29,8 @@ static bool goes_up(const char *path)
 const char *path_here(const char *path, char space[PATH_MAX])
 {
     const char *folder = getenv("TOUCHSTONE_CFS");
+    if (!path)
+        errno = EFAULT;
     if (!path_is_cfs(path))
         return path;
     if (goes_up(path)) {
@@ -109,13 +111,21 @@ static const char *for_stream(const char *path, const char *mode, char space[PAT
     return here;
 }
 
+/* Notes under which name a stream has been opened; NULL: it has not. */
+static FILE *opened(FILE *f, const char *path)
+{
+    if (f && path)
+        files_opened(fileno(f), path);
+    return f;
+}
+
 FILE *node_fopen(const char *path, const char *mode)
 {
     char space[PATH_MAX];
     const char *here = for_stream(path, mode, space);
     FILE *(*libc_fopen)(const char *, const char *);
     *(void **)&libc_fopen = dlsym(RTLD_NEXT, "fopen");
-    return here ? libc_fopen(here, mode) : NULL;
+    return here ? opened(libc_fopen(here, mode), path) : NULL;
 }
 
 FILE *node_freopen(const char *path, const char *mode, FILE *f)
@@ -124,7 +134,7 @@ FILE *node_freopen(const char *path, const char *mode, FILE *f)
     const char *here = path ? for_stream(path, mode, space) : NULL;
     FILE *(*libc_freopen)(const char *, const char *, FILE *);
     *(void **)&libc_freopen = dlsym(RTLD_NEXT, "freopen");
-    return here || !path ? libc_freopen(here, mode, f) : NULL;
+    return here || !path ? opened(libc_freopen(here, mode, f), path) : NULL;
 }
 
 int node_truncate(const char *path, off_t bytes)

@@ -8,7 +8,7 @@
 
 bool path_is_cfs(const char *path);
 /* The file's name on this machine: in space, or path itself. NULL with errno: the path has ".." (EACCES),
- * which could lead out of /cfs, or is too long. */
+ * which could lead out of /cfs, is too long, or NULL itself. */
 const char *path_here(const char *path, char space[PATH_MAX]);
 /* As open(); enters the file into mpi_files.h's table. */
 int path_open(const char *path, int flags, unsigned mode);

@@ -180,7 +180,11 @@ long nx_open_one(const char *call, const char *path, int flags, int mode, unsign
     node_set_errno(why);
     if (fd < 0)
         return end(n, fail(n, path));
-    return end(n, set_mode(n, fd, descriptor_file(n, fd), mode) < 0 ? -1 : fd);
+    if (set_mode(n, fd, descriptor_file(n, fd), mode) < 0) {
+        descriptor_close(n, fd);
+        fd = -1;
+    }
+    return end(n, fd);
 }
 
 long nxs_setiomode(word fd, word mode)
@@ -260,7 +264,7 @@ long nxs_restrictvol(word fd, word count, const int disks[])
     if (!f)
         return -1;
     struct cfs_file *file = cfs_file_of(f);
-    if (!file || count < 1 || count > 1024) {
+    if (!file || count < 1 || count > 1024 || !disks) {
         errno = EINVAL;
         return fail_on(f->node, fd);
     }

@@ -37,6 +37,20 @@ check "copies.c compiles" "$BUILD/nxcc" --mpi -D_FILE_OFFSET_BITS=64 -o copies c
 on_mpi 1 ./copies
 check "a copy that fcntl makes can be sized" [ "$status:$(wc -c <"$TOUCHSTONE_CFS/copied")" = 0:100 ]
 
+cat >nameless.c <<'EOF'
+#include <errno.h>
+#include <fcntl.h>
+int main(void)
+{
+    const char *volatile none = 0;
+    errno = 0;
+    return !(open(none, O_RDONLY) == -1 && errno == EFAULT);
+}
+EOF
+check "nameless.c compiles" "$BUILD/nxcc" --mpi -w -o nameless nameless.c
+on_mpi 1 ./nameless
+check "a name that is a null pointer is an error of its own" [ "$status" = 0 ]
+
 # All nodes wait, but one of them for its input. That comes when a deadlock that began later has been found.
 export NX_DEADLOCK=0.2
 limited mpirun -np 2 ./later alive >alive.out 2>alive.err </dev/null &

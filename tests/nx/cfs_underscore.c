@@ -18,6 +18,26 @@ static void expect(const char *what, long result, int error)
     errno = 0;
 }
 
+/* A gopen that fails leaves no file open. */
+static void keep_none(void)
+{
+    int before = open("/cfs/b", O_RDWR | O_CREAT, 0666);
+    close(before);
+    expect("no mode", _gopen("/cfs/b", O_RDWR, 9, 0), EINVAL);
+    int after = open("/cfs/b", O_RDWR);
+    if (after != before)
+        printf("file %d, then %d\n", before, after);
+    close(after);
+}
+
+static void stream(void)
+{
+    FILE *f = fopen("/cfs/c", "w");
+    if (_lsize(fileno(f), 100, SIZE_SET) < 100 || _setiomode(fileno(f), M_LOG) != 0)
+        printf("a stream's file is none of the CFS\n");
+    fclose(f);
+}
+
 static void errors(int fd)
 {
     struct estat st;
@@ -29,6 +49,7 @@ static void errors(int fd)
     expect("no id", _iowait(3), EQMID);
     expect("no id", _iodone(0), EQMID);
     expect("no mode", _setiomode(fd, 9), EINVAL);
+    expect("no disks", _restrictvol(fd, 1, 0), EINVAL);
     expect("no such file", _estat("/cfs/none", &st), ENOENT);
     expect("no such file", _estat("/none/at/all", &st), ENOENT);
     at = _eseek(77, five, SIZE_SET);
@@ -53,6 +74,8 @@ int main(void)
         _festat(fd, &st);
         printf("size %ld, end %ld, mode %ld\n", st.st_size.slow, _iseof(fd), _iomode(fd));
     }
+    keep_none();
+    stream();
     gsync();
     setiomode(fd, 9); /* ends this process with an error */
     return 0;

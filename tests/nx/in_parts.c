@@ -37,6 +37,7 @@ static void errors(int fd)
     struct iovec parts[2] = {{head, 4}, {0, 3}};
     rule("a null pointer",
          _cwritev(fd, parts, 2) == -1 && errno == EQPBUF && _ireadv(fd, parts, 2) == -1 && errno == EQPBUF);
+    rule("no list of parts", _cwritev(fd, 0, 1) == -1 && errno == EQPBUF);
     rule("a number of parts",
          _creadv(fd, parts, -1) == -1 && errno == EQLEN && _iwritev(fd, parts, 1025) == -1 && errno == EQLEN);
     rule("no file",
