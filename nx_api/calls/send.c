@@ -2,6 +2,15 @@
 #include "nx_api/calls/send.h"
 #include "nx_api/calls/msgwait.h"
 
+static inline long check_message(struct node *n, const struct outgoing *o)
+{
+    if (o->type < 0 || o->type > 1999999999)
+        return node_error(n, EQTYPE,
+                          "type %ld is out of range (0 to 999999999; force types 1073741824 to 1999999999)",
+                          o->type);
+    return nx_check_buffer(n, o->buf, o->len);
+}
+
 long nx_check_send(struct node *n, const struct outgoing *o)
 {
     nx_about(n, o->type);
@@ -9,11 +18,7 @@ long nx_check_send(struct node *n, const struct outgoing *o)
         node_order(n); /* other nodes forward the message, from now on */
     if (nx_check_node(n, o->node) < 0 || nx_check_way(n, o->node) < 0)
         return -1;
-    if (o->type < 0 || o->type > 1999999999)
-        return node_error(n, EQTYPE,
-                          "type %ld is out of range (0 to 999999999; force types 1073741824 to 1999999999)",
-                          o->type);
-    return nx_check_buffer(n, o->buf, o->len);
+    return check_message(n, o);
 }
 
 bool nx_send_is_done(struct node *n, void *send)
@@ -95,7 +100,8 @@ long nxs_gsendx(word type, const void *buf, word len, const long nodes[], word c
 {
     struct node *n = node_self();
     struct outgoing o = {.type = type, .buf = buf, .len = len};
-    if (nx_check_send(n, &o) < 0)
+    nx_about(n, o.type);
+    if (check_message(n, &o) < 0)
         return -1;
     if (count < 0)
         return node_error(n, EQLEN, "%d nodes", count);
@@ -105,7 +111,7 @@ long nxs_gsendx(word type, const void *buf, word len, const long nodes[], word c
         word node = (word)node_get_long(n, nodes, (size_t)i);
         if (node == ALL_NODES)
             return node_error(n, EQNODE, "node -1 stands for all others, and has no place in a list");
-        if (nx_check_node(n, node) < 0)
+        if (nx_check_node(n, node) < 0 || nx_check_way(n, node) < 0)
             return -1;
     }
     for (word i = 0; i < count; i++) {

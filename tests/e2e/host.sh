@@ -54,6 +54,9 @@ check "explore: PCT counts the programs that the host has loaded, and its own" g
 
 run -n 4 --host again
 cat >want <<'END'
+to a list: 0
+to one without a program: -1
+list: node 1 says 1
 node 3 ended with 3
 node 2 ended with 2
 node 1 ended with 1

@@ -14,7 +14,12 @@ static void tell(const char *what)
 
 int main(void)
 {
-    long node, pid, status, one = 1;
+    long node, pid, status, one = 1, list[] = {1, 0};
+    load("counts", 1, 5);
+    printf("to a list: %ld\n", _gsendx(GO, &one, sizeof one, list, 1));
+    printf("to one without a program: %ld\n", _gsendx(GO, &one, sizeof one, list, 2));
+    tell("list");
+    killcube(-1, -1);
     load("ends", -1, 0); /* -n gives the cube */
     for (int i = 0; i < numnodes(); i++) {
         waitone(-1, 0, &node, &pid, &status);
