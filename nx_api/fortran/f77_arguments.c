@@ -85,7 +85,8 @@ long *nx_fortran_longs(in *values, long count, const char *call)
 }
 
 /* --- INFO(8) of irecvx: NX fills longs when the message is taken; the program's INTEGERs are filled when the
- * program waits for the id or asks for it. --- */
+ * program waits for the id or asks for it. Till NX has filled them longs[0] is -1, which is no type: before
+ * msgwait returns a handler may have called irecvx, and got the id that msgwait gives back. --- */
 
 static struct pending {
     long id;
@@ -113,7 +114,7 @@ void nx_fortran_info_at(long id, integer *info, long *longs)
 static void end(long id, bool fill, bool keep_longs)
 {
     for (struct pending **link = &pending, *p; (p = *link);) {
-        if (p->id != id) {
+        if (p->id != id || (fill && p->longs[0] == -1)) {
             link = &p->next;
             continue;
         }
@@ -131,10 +132,9 @@ void nx_fortran_info_done(long id)
     end(id, true, false);
 }
 
-/* The id is ignored or cancelled, and NX may still write to the longs. */
-void nx_fortran_info_forget(long id)
+void nx_fortran_info_forget(long id, bool ignored)
 {
-    end(id, false, true);
+    end(id, false, ignored);
 }
 
 void nx_fortran_info_merge(long first, long second, long merged)

@@ -38,7 +38,8 @@ long *nx_fortran_longs(in *values, long count, const char *call);
 /* INFO(8) of irecvx, which is filled when its message id is complete. */
 void nx_fortran_info_at(long id, integer *info, long *longs);
 void nx_fortran_info_done(long id);
-void nx_fortran_info_forget(long id);
+/* The id is about to be cancelled, or ignored: then NX may still write to the longs. */
+void nx_fortran_info_forget(long id, bool ignored);
 void nx_fortran_info_merge(long first, long second, long merged);
 void nx_fortran_info(integer *info, const long *longs);
 

@@ -60,6 +60,7 @@ ENTRY integer irecvx_(in *typesel, void *buf, in *len, in *node, in *ptype, inte
     long *longs = calloc(8, sizeof *longs);
     if (!longs)
         nx_fail("irecvx", ENOMEM);
+    longs[0] = -1; /* no type: not filled yet */
     long id = irecvx(*typesel, buf, *len, *node, *ptype, longs);
     nx_fortran_info_at(id, info, longs);
     return (integer)id;
@@ -108,15 +109,15 @@ ENTRY integer msgdone_(in *id)
 
 ENTRY void msgcancel_(in *id)
 {
+    nx_fortran_info_forget(*id, false);
     msgcancel(*id);
-    nx_fortran_info_forget(*id);
 }
 
 /* INFO of an ignored receive is not filled. */
 ENTRY void msgignore_(in *id)
 {
+    nx_fortran_info_forget(*id, true);
     msgignore(*id);
-    nx_fortran_info_forget(*id);
 }
 
 ENTRY integer msgmerge_(in *first, in *second)
