@@ -3,7 +3,6 @@
 #include <errno.h>
 #include <dirent.h>
 #include <ftw.h>
-#include <search.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -15,34 +14,39 @@ struct walk {
     int (*tells)(const char *, const struct stat *, int, struct FTW *);
     int flags;
     dev_t device;
-    void **visited; /* a tree of places; NULL: no link is followed, so no folder comes twice */
+    struct place **visited; /* the last of them; NULL: no link is followed, so no folder comes twice */
 };
 
+/* They are a list: how long a search in a tree takes would depend on the host's numbers. */
 struct place {
+    struct place *before;
     dev_t device;
     ino_t number;
 };
 
-static int by_place(const void *left, const void *right)
-{
-    const struct place *a = left, *b = right;
-    if (a->device != b->device)
-        return a->device < b->device ? -1 : 1;
-    return (a->number > b->number) - (a->number < b->number);
-}
-
 /* 1: the folder is visited for the first time; 0: a link has led to it again; -1: there is no memory. */
 static int is_new(const struct walk *w, const struct stat *st)
 {
-    struct place *place = w->visited ? malloc(sizeof *place) : NULL;
+    if (!w->visited)
+        return 1;
+    for (const struct place *p = *w->visited; p; p = p->before)
+        if (p->number == st->st_ino && p->device == st->st_dev)
+            return 0;
+    struct place *place = malloc(sizeof *place);
     if (!place)
-        return w->visited ? -1 : 1;
-    *place = (struct place){st->st_dev, st->st_ino};
-    struct place **known = tsearch(place, w->visited, by_place);
-    int answer = !known ? -1 : *known == place;
-    if (answer != 1)
-        free(place);
-    return answer;
+        return -1;
+    *place = (struct place){*w->visited, st->st_dev, st->st_ino};
+    *w->visited = place;
+    return 1;
+}
+
+static void forget(struct place *visited)
+{
+    while (visited) {
+        struct place *before = visited->before;
+        free(visited);
+        visited = before;
+    }
 }
 
 static int tell(const struct walk *w, const char *path, const struct stat *st, int kind, struct FTW *at)
@@ -115,14 +119,14 @@ static int visit(const struct walk *w, const char *path, struct FTW at)
 static int begin(struct walk *w, const char *path)
 {
     struct stat st;
-    void *visited = NULL;
+    struct place *visited = NULL;
     const char *slash = strrchr(path, '/');
     if (stat(path, &st) == 0)
         w->device = st.st_dev;
     if (follows(w))
         w->visited = &visited;
     int answer = visit(w, path, (struct FTW){slash && slash[1] ? (int)(slash + 1 - path) : 0, 0});
-    tdestroy(visited, free);
+    forget(visited);
     return answer;
 }
 
