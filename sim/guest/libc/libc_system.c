@@ -221,7 +221,7 @@ int node_setrlimit(int what, const struct rlimit *l)
 static char **find_in(char **list, const char *name, size_t len)
 {
     char **e = list;
-    while (e != NULL && *e != NULL && (strncmp(*e, name, len) != 0 || (*e)[len] != '='))
+    while (e != NULL && *e != NULL && (**e != *name || strncmp(*e, name, len) != 0 || (*e)[len] != '='))
         e++;
     return e != NULL && *e != NULL ? e : NULL;
 }
