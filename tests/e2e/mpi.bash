@@ -6,6 +6,11 @@ export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 # more
 # What Open MPI finds for one computer, after it has tried all networks; and processes to be ended are not given a second.
 export OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader OMPI_MCA_odls_base_sigkill_timeout=0
 export TOUCHSTONE_CFS=$work/cfs
+# Each process of each start asks Linux what this computer has, devices included, which takes a third of the start: one asks.
+topology=${OUT:-$work}/topology.xml
+if [ -s "$topology" ] || { lstopo-no-graphics --no-io "$topology.$BASHPID.xml" 2>/dev/null && mv "$topology.$BASHPID.xml" "$topology"; }; then
+    export HWLOC_XMLFILE=$topology HWLOC_THISSYSTEM=1
+fi
 
 . "$(dirname "${BASH_SOURCE[0]}")/../patience.bash"
 
