@@ -1,16 +1,19 @@
 # common.bash - shared by the end-to-end tests, which source it. It gives:
 #   $BUILD       the build under test, absolute         $work  a folder of the test's own, removed at its end
+#   $unsanitized the same, or where $BUILD has sanitizers the build without: for what other tests run with sanitizers
 #   compile P    tests/e2e/P.c -> $work/P
 #   run ARGS     touchstone run ARGS in $work: leaves out, err (files) and status
 #   check NAME COMMAND...   "ok NAME" if the command succeeds, else "not ok NAME" and what the last run said
 #   $patience, limited, awaited, has_computed    patience.bash: a wait for what should come, which decides no check
 #   block PAGE KIND [N]     the Nth block, else the first, of that kind in a page
+#   small_paper ROWS        $work/home, a TOUCHSTONE_HOME for `touchstone tables`: its paper has one small table, Table 1
 #   example PAGE FILE [N]   what a reader of PAGE does: writes its C program into FILE and gives its commands, those of the
 #                           Nth such blocks, else of the first
 tests=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 . "$tests/../patience.bash"
 BUILD=$(cd "${BUILD:-$tests/../../build}" && pwd)
 . "$tests/../compiled.bash"
+unsanitized=$(cd -P "$BUILD/node/.." && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
@@ -44,6 +47,23 @@ block() {
     awk -v kind="$2" -v n="${3:-1}" '$0 == "```" { on = 0 } on { print } $0 == "```" kind && ++count == n { on = 1 }' "$1"
 }
 
+small_paper() {
+    mkdir -p home/bench/paper
+    ln -s "$(cd "$tests/../.." && pwd)/machines" home/machines
+    cat >home/bench/paper/fitted.cfg <<END
+factors = ( { file = "slice.c"; factor = 1.5; fitted_to = "a slice"; } );
+constants = ( ( "-k 1.6", "Table 1" ) );
+END
+    cat >home/bench/paper/paper.cfg <<END
+machine = "delta"; program = "app/model";
+fitted_rows = ( "1:1" ); tie_rows = ( "1:2" ); remarks = ( ( "1:8", "It is like that." ) );
+messages = ( ( 6, 6, "chunks" ), ( 7, 7, "orders" ), ( 9, 9, "wakes" ),
+    ( 1000000000, 1073741823, "global operations" ) );
+tables = ( { table = 1; title = "small"; group = 4; arguments = "-approx 111 -sphere 64 64 9"; rows = (
+    $1 ); } );
+END
+}
+
 example() {
     block "$1" c >"$2"
     block "$1" out "${3:-1}" >expected
@@ -66,6 +86,11 @@ run_results() { # ARGS...
     status=$?
     [ $status -lt 64 ] || echo "cannot be run: $RANDOM$RANDOM"
     echo "status $status" && sed -s '/^wall time/d; /^ *"[^"]*wall_time/d' out err f.json
+}
+
+run_unsanitized() { # ARGS...: their results without sanitizers
+    local touchstone=$unsanitized/touchstone
+    run_results "$@"
 }
 
 # A run with these arguments gives the same in both engines, and with 1, 2 and 4 workers.

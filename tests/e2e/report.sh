@@ -2,21 +2,8 @@
 # report.sh - touchstone tables --explain, --ties and --report, on a paper file of the test's own, with one small table.
 . "$(dirname "$0")/common.bash"
 root=$tests/../..
+small_paper '( 1, "1.9", 0.0, "-", "-", 1.0 ), ( 2, "1.1", 0.5, "-", "-", 0.9 ), ( 8, "0.25", 0.5, "-", "-", 0.9 )'
 export TOUCHSTONE_HOME=$work/home
-mkdir -p home/bench/paper
-ln -s "$root/machines" home/machines
-cat >home/bench/paper/fitted.cfg <<END
-factors = ( { file = "slice.c"; factor = 1.5; fitted_to = "a slice"; } );
-constants = ( ( "-k 1.6", "Table 1" ) );
-END
-cat >home/bench/paper/paper.cfg <<END
-machine = "delta"; program = "app/model";
-fitted_rows = ( "1:1" ); tie_rows = ( "1:2" ); remarks = ( ( "1:8", "It is like that." ) );
-messages = ( ( 6, 6, "chunks" ), ( 7, 7, "orders" ), ( 9, 9, "wakes" ),
-    ( 1000000000, 1073741823, "global operations" ) );
-tables = ( { table = 1; title = "small"; group = 4; arguments = "-approx 111 -sphere 64 64 9"; rows = (
-    ( 1, "1.9", 0.0, "-", "-", 1.0 ), ( 2, "1.1", 0.5, "-", "-", 0.9 ), ( 8, "0.25", 0.5, "-", "-", 0.9 ) ); } );
-END
 tables() {
     "$BUILD/touchstone" tables "$@" >out 2>err </dev/null
     status=$?
