@@ -16,7 +16,7 @@ WAYS=("-w 2" "-w 4 --shuffle 2 --slice 0.0001")
 same() { # NAME ARGS...
     local name=$1
     shift
-    run_results -w 1 "$@" >one
+    run_unsanitized -w 1 "$@" >one # (nx.sh has these programs with sanitizers, too)
     for way in "${WAYS[@]}"; do
         # shellcheck disable=SC2086
         run_results $way "$@" >several
