@@ -31,7 +31,7 @@ done
 for how in for calls unseen; do
     "$BUILD/touchstone" run -q -n 2 stopped $how >out 2>err &
     child=$!
-    awaited has_computed $child 60
+    awaited has_computed $child 25
     kill -TERM $child
     kill -TERM $child # as timeout does
     wait $child
@@ -55,7 +55,7 @@ for signal in INT TERM HUP; do
         # (A shell without job control starts what is in the background with SIGINT ignored; nohup ignores SIGHUP.)
         env --default-signal=INT,TERM,HUP "$BUILD/touchstone" run -n 2 stopped $how >out 2>err &
         child=$!
-        awaited has_computed $child 60
+        awaited has_computed $child 25
         kill -$signal $child
         wait $child
         status=$?
@@ -71,7 +71,7 @@ trap '' HUP
 trap - HUP
 awaited has_computed $! 30
 kill -HUP $!
-awaited has_computed $! 60
+awaited has_computed $! 40
 kill -TERM $!
 wait $!
 check "an ignored SIGHUP stays ignored" said 'stopped by SIGTERM'
@@ -92,7 +92,7 @@ done
 asked() { # ARGS: a run that is asked, goes on, and is ended if it has no end
     "$BUILD/touchstone" run -q "$@" >out 2>err &
     child=$!
-    awaited has_computed $child 50
+    awaited has_computed $child 25
     awaited has_answered
     [ "${*: -1}" != for ] || kill -TERM $child
     wait $child
