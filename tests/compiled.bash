@@ -2,14 +2,19 @@
 # the others copy it, those of builds with sanitizers, too: their plugin and libraries are those of the build without (NODES in the
 # Makefile). The driver with sanitizers is tested by what other tests compile, and by tests/nxcc/test_driver.sh. $BUILD is absolute.
 #   compiled_once PROGRAM COMPILER ARGS...    as $BUILD/COMPILER ARGS... -o PROGRAM; sources are named by their whole paths
+#   whole PATH                                prints it without .., so that tests name a source alike
 compiled_with=$(cd -P "$BUILD/node" && pwd -P)
+
+whole() { realpath "$1"; }
 
 compiled_once() {
     local program=$1 compiler=$2 kept
     shift 2
     kept="$compiled_with $compiler $*"
-    kept=${OUT:-}/compiled/${kept//[^A-Za-z0-9._=+-]/_}
-    if [ ! -d "${OUT:-}/compiled" ] || [ ${#kept} -gt 250 ]; then
+    kept=${kept//[^A-Za-z0-9._=+-]/_}
+    [ ${#kept} -le 200 ] || kept=${kept:0:150}_$(sha256sum <<<"$kept" | cut -c1-32)
+    kept=${OUT:-}/compiled/$kept
+    if [ ! -d "${OUT:-}/compiled" ]; then
         "$BUILD/$compiler" "$@" -o "$program"
         return
     fi

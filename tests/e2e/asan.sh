@@ -211,8 +211,8 @@ same() {
     done
     shift
     # shellcheck disable=SC2086
-    "$BUILD/nxcc" -O2 -g -w -o "$name" "${sources[@]}" -lz -lm && results $machine -w 1 "$name" "$@" >plain
-    "$BUILD/nxcc" --asan -O2 -g -w -o "$name" "${sources[@]}" -lz -lm
+    compiled_once "$name" nxcc -O2 -g -w "${sources[@]}" -lz -lm && results $machine -w 1 "$name" "$@" >plain
+    compiled_once "$name" nxcc --asan -O2 -g -w "${sources[@]}" -lz -lm
     for engine in "-w 1" "-w 3" "--engine reference"; do
         # shellcheck disable=SC2086
         results $machine $engine "$name" "$@" >checked

@@ -33,9 +33,9 @@ for source in tests/nx/*.c tests/nx/*.f tests/nx/*.f90; do basename "${source%.*
 if diff "$work/named" "$work/there"; then echo "ok RULES.md names the programs"; else echo "not ok RULES.md names the programs"; fi
 
 compiled() { # NAME SOURCE OPTIONS...
-    local modules=()
-    [ "${2%.c}" != "$2" ] || modules=(-J "$work")
-    if ! compiled_once "$work/$1" nxcc -O2 -g "${modules[@]}" "${@:3}" "$PWD/$2" 2>"$work/err"; then
+    local modules=() libraries=() # (as compile_rule in common.bash: other tests have the same programs)
+    [ "${2%.c}" != "$2" ] && libraries=(-lm) || modules=(-J "$work")
+    if ! compiled_once "$work/$1" nxcc -O2 -g "${modules[@]}" "${@:3}" "$(whole "$2")" "${libraries[@]}" 2>"$work/err"; then
         echo "not ok $1 ${*:3}: does not compile"
         cat "$work/err"
         false

@@ -33,7 +33,7 @@ follow surfaces
 shows surfaces
 for file in engine.vtk engine.obj engine.stl welded.ply; do check "surfaces: $file is written" test -s $file; done
 
-small_paper '( 1, "1.9", 0.0, "-", "-", 1.0 ), ( 8, "0.25", 0.5, "-", "-", 0.9 )'
+small_paper '( 1, "1.9", 0.0, "-", "-", 1.0 ), ( 2, "1.1", 0.5, "-", "-", 0.9 ), ( 8, "0.25", 0.5, "-", "-", 0.9 )'
 TOUCHSTONE_HOME=$work/home touchstone tables -o out >said 2>&1
 follow page
 check "page: the page is written" test -s model.html

@@ -76,7 +76,7 @@ profile -w 1 >one
 profile -w 3 --shuffle 5 >several
 check "profile of programs cut short" diff one several
 
-"$BUILD/nxcc" -O2 --profile -o model_profile "$tests"/../../app/*.c -lz -lm
+compiled_once model_profile nxcc -O2 --profile "$tests"/../../app/*.c -lz -lm
 model() { # WORKERS...
     run_results "$@" -n 16 --profile p.json model_profile -approx 111 -sphere 64 64 9 -group 4
     cat p.json 2>/dev/null
