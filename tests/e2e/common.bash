@@ -14,7 +14,7 @@ tests=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 . "$tests/../patience.bash"
 BUILD=$(cd "${BUILD:-$tests/../../build}" && pwd)
 . "$tests/../compiled.bash"
-unsanitized=$(cd -P "$BUILD/node/.." && pwd)
+[[ $BUILD = */asan ]] && unsanitized=$(cd -P "$BUILD/node/.." && pwd) || unsanitized=$BUILD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
