@@ -9,7 +9,8 @@
 
 char *temporary_folder(void)
 {
-    char *folder = text("%s/nxccXXXXXX", P_tmpdir);
+    const char *tmp = getenv("TMPDIR");
+    char *folder = text("%s/nxccXXXXXX", tmp && *tmp ? tmp : P_tmpdir);
     if (!mkdtemp(folder))
         fail("%s: %s", folder, strerror(errno));
     return folder;

@@ -81,12 +81,13 @@ said() { grep -qE -- "$1" err; }
 
 # All that a run gives, without its wall times. Never the same twice for what cannot be run: a test that compares two of these
 # has compared nothing then.
+# (A name of tmpnam's is among the run's files if another run, of another test, has a file of that name.)
 run_results() { # ARGS...
     : >f.json
     limited "${touchstone:-$BUILD/touchstone}" run --max-wall-time $((patience / 2)) --json f.json "$@" >out 2>err </dev/null
     status=$?
     [ $status -lt 64 ] || echo "cannot be run: $RANDOM$RANDOM"
-    echo "status $status" && sed -s '/^wall time/d; /^ *"[^"]*wall_time/d' out err f.json
+    echo "status $status" && sed -s '/^wall time/d; /^ *"[^"]*wall_time/d; /^ *"\/tmp\/nx[0-9]*",*$/d' out err f.json
 }
 
 run_unsanitized() { # ARGS...: their results without sanitizers

@@ -6,6 +6,10 @@ export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 # more
 # What Open MPI finds for one computer, after it has tried all networks; and processes to be ended are not given a second.
 export OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader OMPI_MCA_odls_base_sigkill_timeout=0
 export TOUCHSTONE_CFS=$work/cfs
+# The files of memory that ranks share have names of 16 bits a start, in one folder of the computer: two starts at once may have one
+# name, and crash.
+mkdir -p "$work/shared_memory"
+export OMPI_MCA_btl_vader_backing_directory=$work/shared_memory
 # Each process of each start asks Linux what this computer has, devices included, which takes a third of the start: one asks.
 topology=${OUT:-$work}/topology.xml
 if [ -s "$topology" ] || { lstopo-no-graphics --no-io "$topology.$BASHPID.xml" 2>/dev/null && mv "$topology.$BASHPID.xml" "$topology"; }; then
