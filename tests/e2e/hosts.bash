@@ -66,11 +66,12 @@ END
     chmod +x agent
 }
 
+# (Its folders have the names of host and process, which are the same in each such cluster: they are the test's own.)
 across() { # N ARGS
     local ranks=$1
     shift
     limited mpirun --hostfile hostfile --map-by node --mca plm_rsh_agent "$work/agent" \
-        --mca btl_tcp_if_include 10.77.0.0/24 --mca oob_tcp_if_include 10.77.0.0/24 --mca btl self,tcp,vader \
+        --mca btl_tcp_if_include 10.77.0.0/24 --mca oob_tcp_if_include 10.77.0.0/24 --mca btl self,tcp,vader --mca orte_tmpdir_base "$work" \
         -np "$ranks" "$@" >out 2>err
     status=$?
     return $status
