@@ -175,7 +175,7 @@ static struct neighbors neighbors(const struct coll *o)
 
 /* --- the collectives --- */
 
-/* Lists, or the same for all. */
+/* The counts and types of all parts: lists, or the same for all. */
 static int check_parts(const struct coll *o, int parts, const int *counts, int count,
                        const MPI_Datatype *types, MPI_Datatype type)
 {
@@ -190,7 +190,7 @@ static int check_exchange(struct args *a)
     if (!a->o.c->topology)
         return fail(a->o.c, a->o.call, MPI_ERR_TOPOLOGY, "the communicator has neither a grid nor a graph");
     struct neighbors n = listed_neighbors(&a->o);
-    int code = check_parts(&a->o, a->same ? 1 : n.outs, a->counts, a->count, a->types, a->type);
+    int code = check_parts(&a->o, n.outs, a->counts, a->count, a->types, a->type);
     return code ? code : check_parts(&a->o, n.ins, a->rooms, a->room, a->ases, a->as);
 }
 

@@ -39,7 +39,7 @@ void (*gcc_insert_attributes)(tree, tree *);
 std::set<std::string> from_header;           /* functions that headers have declared */
 std::map<std::string, location_t> undefined; /* those the program declares otherwise, and has not defined */
 tree defined;                                /* the function whose definition has just begun */
-/* Of a definition in K&R's style: its parameters' names, and their types in the header. */
+/* The parameters' names of a definition in K&R's style, and their types in the header. */
 std::vector<std::string> parameters;
 tree types_in_header;
 
