@@ -39,9 +39,10 @@ $(NODE)/mpi_include/mpi.mod: mpi_api/fortran/mpi_module.f90 $(NODE)/mpi_include/
 	$(call say,NXF77,$@)
 	$(NODE_FC) -I$(@D) -J$(@D) -fsyntax-only $<
 
-$(NODE)/obj/mpi_f08.f90: mpi_api/fortran/make-f08 mpi_api/include/mpi.h $(NODE)/mpi_include/mpif.h mpi_api/include/mpi_calls.h
+$(NODE)/obj/mpi_f08.f90: mpi_api/fortran/make-f08 mpi_api/include/mpi.h $(NODE)/mpi_include/mpif.h mpi_api/fortran/standard-names \
+		mpi_api/include/mpi_calls.h
 	@mkdir -p $(@D)
-	GCC=$(NODE_CC) $(wordlist 1, 3, $^) >$@.new && mv $@.new $@
+	GCC=$(NODE_CC) $(wordlist 1, 4, $^) >$@.new && mv $@.new $@
 
 $(NODE)/mpi_include/mpi_f08.mod: $(NODE)/obj/mpi_f08.f90
 	$(call say,NXF77,$@)

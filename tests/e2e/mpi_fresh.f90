@@ -15,9 +15,10 @@ contains
         type(MPI_Comm), intent(in) :: on
         integer :: n
         call MPI_Comm_size(on, n)
-        call MPI_Cart_create(on, 1, [n], [.true.], .false., g%comm)
-        call MPI_Cart_shift(g%comm, 0, 1, g%before, g%behind)
-        call MPI_Type_create_subarray(2, [10, 18], [1, 16], [0, 1], MPI_ORDER_FORTRAN, MPI_DOUBLE_PRECISION, g%row)
+        call MPI_Cart_create(comm_old=on, ndims=1, dims=[n], periods=[.true.], reorder=.false., comm_cart=g%comm)
+        call MPI_Cart_shift(g%comm, direction=0, disp=1, rank_source=g%before, rank_dest=g%behind)
+        call MPI_Type_create_subarray(2, array_of_sizes=[10, 18], array_of_subsizes=[1, 16], array_of_starts=[0, 1], &
+                                      order=MPI_ORDER_FORTRAN, oldtype=MPI_DOUBLE_PRECISION, newtype=g%row)
         call MPI_Type_commit(g%row)
     end subroutine
 
@@ -27,10 +28,10 @@ contains
         type(MPI_Status) :: s(4)
         integer :: elements
         call MPI_Irecv(g%cell(0, 0), 1, g%row, g%before, 1, g%comm, r(1))
-        call MPI_Irecv(g%cell(9, 0), 1, g%row, g%behind, 2, g%comm, r(2))
+        call MPI_Irecv(g%cell(9, 0), count=1, datatype=g%row, source=g%behind, tag=2, comm=g%comm, request=r(2))
         call MPI_Isend(g%cell(1, 0), 1, g%row, g%before, 2, g%comm, r(3))
         call MPI_Isend(g%cell(8, 0), 1, g%row, g%behind, 1, g%comm, r(4))
-        call MPI_Waitall(4, r, s)
+        call MPI_Waitall(4, array_of_statuses=s, array_of_requests=r)
         call MPI_Get_elements(s(1), MPI_DOUBLE_PRECISION, elements)
         call expect("waitall", all(same(r, MPI_REQUEST_NULL)) .and. s(1)%MPI_SOURCE == g%before .and. s(2)%MPI_TAG == 2)
         call expect("get_elements", elements == 16)
@@ -95,7 +96,8 @@ program fresh
     call MPI_Type_create_resized(kind, 0_MPI_ADDRESS_KIND, MPI_Aint_diff(at(3), at(1)), kind)
     call MPI_Type_commit(kind)
     p = [particle(rank + 0.5d0, rank), particle(-rank, -rank)]
-    call MPI_Sendrecv_replace(p, 2, kind, mod(rank + 1, n), 3, mod(rank + n - 1, n), 3, MPI_COMM_WORLD, status)
+    call MPI_Sendrecv_replace(p, 2, kind, dest=mod(rank + 1, n), sendtag=3, source=mod(rank + n - 1, n), recvtag=3, &
+                              status=status, comm=MPI_COMM_WORLD)
     token = mod(rank + n - 1, n)
     call expect("a ring", p(1)%x == token + 0.5d0 .and. p(2)%id == -token .and. status%MPI_SOURCE == token)
     call MPI_Type_free(kind)
@@ -110,16 +112,16 @@ program fresh
     call expect("a section", rank < n - 1 .or. all(square(:, 1) == [2, 6, 10, 14]))
 
     ! Halves of the ranks.
-    call MPI_Comm_split(MPI_COMM_WORLD, mod(rank, 2), rank, half)
+    call MPI_Comm_split(MPI_COMM_WORLD, key=rank, color=mod(rank, 2), newcomm=half)
     call expect("split", half /= MPI_COMM_NULL)
     call MPI_Comm_rank(half, token)
     call expect("a rank of a half", token == rank / 2)
     call MPI_Allreduce(MPI_IN_PLACE, token, 1, MPI_INTEGER, MPI_MAX, half)
     call expect("allreduce", token == (n - 1 - mod(n - 1 + rank, 2)) / 2)
     call MPI_Comm_free(half)
-    call MPI_Op_create(later, .false., op)
+    call MPI_Op_create(commute=.false., user_fn=later, op=op)
     step = rank + 7
-    call MPI_Iallreduce(step, token, 1, MPI_INTEGER, op, MPI_COMM_WORLD, request)
+    call MPI_Iallreduce(sendbuf=step, recvbuf=token, count=1, datatype=MPI_INTEGER, op=op, comm=MPI_COMM_WORLD, request=request)
     call MPI_Test(request, flag, MPI_STATUS_IGNORE)
     if (.not. flag) call MPI_Wait(request, MPI_STATUS_IGNORE)
     call MPI_Op_free(op)
@@ -133,9 +135,9 @@ program fresh
     end do
     call MPI_Reduce(sum(g%cell(1:8, 1:16)), total, 1, MPI_DOUBLE_PRECISION, MPI_SUM, 0, g%comm)
 
-    call MPI_Get_processor_name(name, length)
+    call MPI_Get_processor_name(resultlen=length, name=name)
     call expect("a name", name(1:length) == trim(name) .and. length > 0)
-    call MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN)
+    call MPI_Comm_set_errhandler(errhandler=MPI_ERRORS_RETURN, comm=MPI_COMM_WORLD)
     call MPI_Send(token, 1, MPI_INTEGER, n, 0, MPI_COMM_WORLD, code)
     call expect("an error", code == MPI_ERR_RANK)
     if (rank == 0) print "(f8.1, l2)", total, MPI_Wtime() > began
