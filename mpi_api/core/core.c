@@ -222,6 +222,9 @@ long node_nxm_fail(int call, const char *text)
 long node_nxm_number(enum nxm_number which);
 long node_nxm_number(enum nxm_number which)
 {
-    const struct cfg_machine *m = node_self()->sys->cfg;
-    return (long)(which == NXM_EAGER_LIMIT ? m->mpi_eager_limit : m->mpi_collectives);
+    const struct node *n = node_self();
+    const struct cfg_machine *m = n->sys->cfg;
+    return (long)(which == NXM_EAGER_LIMIT   ? m->mpi_eager_limit
+                  : which == NXM_COLLECTIVES ? m->mpi_collectives
+                                             : n->cold->program);
 }

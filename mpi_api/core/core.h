@@ -86,7 +86,7 @@ long nxm_moved(int call, long id, int wait);
 
 /* Ends the run with this message. */
 long nxm_fail(int call, const char *text);
-/* A number of the machine file. */
-enum nxm_number { NXM_EAGER_LIMIT, NXM_COLLECTIVES };
+/* A number of the machine file; which of the run's programs this is, from 0. */
+enum nxm_number { NXM_EAGER_LIMIT, NXM_COLLECTIVES, NXM_PROGRAM };
 long nxm_number(enum nxm_number which);
 #endif

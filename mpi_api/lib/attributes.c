@@ -219,7 +219,7 @@ CALL(Comm_set_attr, (MPI_Comm comm, int keyval, void *value))
 /* Those that are there from the beginning: pointers to numbers. */
 static const int *own_attribute(int key)
 {
-    static int tag_ub = 999999999, host = MPI_PROC_NULL, io = MPI_ANY_SOURCE, global = 1, size, code;
+    static int tag_ub = 999999999, host = MPI_PROC_NULL, io = MPI_ANY_SOURCE, global = 1, size, code, program;
     size = (int)numnodes(), code = error_last_code();
     switch (key) {
     case MPI_TAG_UB:
@@ -234,6 +234,9 @@ static const int *own_attribute(int key)
         return &size;
     case MPI_LASTUSEDCODE:
         return &code;
+    case MPI_APPNUM:
+        program = (int)nxm_number(NXM_PROGRAM);
+        return &program;
     default:
         return NULL;
     }
@@ -245,8 +248,6 @@ CALL(Comm_get_attr, (MPI_Comm comm, int keyval, void *value, int *flag))
     const int *own = own_attribute(keyval);
     if (!c)
         return fail_comm(CALL_Comm_get_attr);
-    if (keyval == MPI_APPNUM)
-        return *flag = 0, MPI_SUCCESS;
     if (!own)
         return comm_told(c, CALL_Comm_get_attr, attribute_get(&c->attributes, keyval, value, flag));
     memcpy(value, &own, sizeof own);

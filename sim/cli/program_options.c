@@ -14,7 +14,9 @@ const char CLI_PROGRAM_ARGUMENTS[] = "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [A
 
 static const struct argp_option OPTIONS[] = {
     {NULL, 0, NULL, 0, "Machine:", 1},
-    {"nodes", 'n', "NODES", 0, "Number of nodes; default 1", 0},
+    {"nodes", 'n', "NODES", 0,
+     "Number of nodes; default 1. Other programs get the nodes behind them: -n 1 PROGRAM ARGS : -n 4 OTHER ARGS",
+     0},
     {"set", SET, "KEY=VALUE", 0,
      "Value for a key of the machine file, such as system.interrupt_us=150; may be repeated", 0},
     {"host", CLI_TEXT(cli_program, host), "HOST", 0, "Run HOST, built by nxcc -host, on the machine's host",
@@ -37,11 +39,34 @@ static void begin(struct argp_state *state, struct cli_program *p)
     state->child_inputs[0] = &p->machine;
 }
 
-/* What follows the program's name is the program's. */
+/* Does another program begin here: `: -n NODES PROGRAM`, as mpiexec takes them? */
+static bool begins_other(char *const *words, int count)
+{
+    return count > 3 && !strcmp(words[0], ":") && (!strcmp(words[1], "-n") || !strcmp(words[1], "-np"));
+}
+
+static int words_of_program(char *const *words, int count)
+{
+    int n = 1;
+    while (n < count && !begins_other(words + n, count - n))
+        n++;
+    return n;
+}
+
+/* What follows the program's name is the program's, up to other programs. */
 static void take_program(struct argp_state *state, struct cli_program *p)
 {
     p->program = state->argv + state->next;
     p->program_count = state->argc - state->next;
+    p->first_count = words_of_program(p->program, p->program_count);
+    for (int i = p->first_count; i < p->program_count;) {
+        char **words = p->program + i + 3;
+        int count = words_of_program(words, p->program_count - i - 3);
+        p->more = xreallocarray(p->more, p->more_count + 1, sizeof *p->more);
+        p->more[p->more_count++] = (struct named_program){
+            cli_whole(state, "-n", "a number of nodes", UINT32_MAX, words[-1]), count, words};
+        i += 3 + count;
+    }
 }
 
 /* No program is there: the last argument is an option's value, as prog of `--races prog`. */
@@ -61,6 +86,13 @@ static void check(struct argp_state *state, struct cli_program *p)
         ask_for_program(state);
     if (!p->host && !p->nodes)
         p->nodes = 1;
+    if (p->host && p->more_count)
+        argp_error(state, "with --host, HOST loads the nodes: no ': -n NODES PROGRAM'");
+    uint64_t all = p->nodes;
+    for (size_t i = 0; i < p->more_count; i++)
+        all += p->more[i].nodes;
+    if (all > UINT32_MAX)
+        argp_error(state, "the programs have more nodes than a machine can have");
     if (!p->machine)
         p->machine = p->host ? CFG_USUAL_HOST_MACHINE : CFG_USUAL_MACHINE;
 }
@@ -87,7 +119,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     return 0;
 }
 
-static bool find(const char **name, char **found, const char *brought, bool verbose, char **error)
+static bool find(struct cli_program *p, char **name, const char *brought, bool verbose, char **error)
 {
     char *path = program_file_find(*name, NULL, brought, error);
     if (!path || !strcmp(path, *name)) {
@@ -96,27 +128,41 @@ static bool find(const char **name, char **found, const char *brought, bool verb
     }
     if (verbose)
         fprintf(stderr, "%s is not here: it is %s\n", *name, path);
-    *name = *found = path;
+    p->found = xreallocarray(p->found, p->found_count + 1, sizeof *p->found);
+    *name = p->found[p->found_count++] = path;
     return true;
+}
+
+uint32_t cli_program_nodes(const struct cli_program *p)
+{
+    uint32_t all = p->nodes;
+    for (size_t i = 0; i < p->more_count; i++)
+        all += p->more[i].nodes;
+    return all;
 }
 
 bool cli_program_find(struct cli_program *p, const char *brought, bool verbose, char **error)
 {
     *error = NULL;
-    if (p->program_count) {
-        const char *name = p->program[0];
-        if (!find(&name, &p->found[0], brought, verbose, error))
+    if (p->program_count && !find(p, &p->program[0], brought, verbose, error))
+        return false;
+    for (size_t i = 0; i < p->more_count; i++)
+        if (!find(p, &p->more[i].argv[0], brought, verbose, error))
             return false;
-        p->program[0] = (char *)(uintptr_t)name;
-    }
-    return !p->host || find(&p->host, &p->found[1], brought, verbose, error);
+    char *host = (char *)(uintptr_t)p->host;
+    if (host && !find(p, &host, brought, verbose, error))
+        return false;
+    p->host = host;
+    return true;
 }
 
 void cli_program_free(struct cli_program *p)
 {
     free(p->set);
-    free(p->found[0]);
-    free(p->found[1]);
+    free(p->more);
+    for (size_t i = 0; i < p->found_count; i++)
+        free(p->found[i]);
+    free(p->found);
 }
 
 static const struct argp_child CHILDREN[] = {{&CLI_MACHINE, 0, NULL, 0}, {0}};

@@ -3,17 +3,23 @@
 #ifndef CLI_PROGRAM_OPTIONS_H
 #define CLI_PROGRAM_OPTIONS_H
 #include "cli/options.h"
+#include "files/program_file.h"
 
 /* The texts are argv's. */
 struct cli_program {
     const char *machine, *host; /* host: NULL if there is none */
-    uint32_t nodes;             /* 0: as many as the host program asks for */
+    uint32_t nodes;             /* of the first program. 0: as many as the host program asks for */
     const char **set;           /* KEY=VALUE, ended by NULL; the caller frees the list */
     size_t set_count;
     double max_virtual_s, max_wall_s; /* 0: not said */
     char **program;                   /* with its arguments; without a host, there is one */
-    int program_count;
-    char *found[2]; /* the paths of program and host that are not where they were named; else NULL */
+    int program_count, first_count;   /* first: up to other programs */
+    /* Without a host: other programs, on nodes behind the program's, as `-n 1 PROGRAM : -n 4 OTHER ...` names
+     * them. They stand among the program's words, too. */
+    struct named_program *more;
+    size_t more_count;
+    char **found; /* paths of programs that are not where they were named */
+    size_t found_count;
 };
 
 /* -m, -n, --set, --host, --max-virtual-time, --max-wall-time, and the program with its arguments; input:
@@ -26,6 +32,8 @@ extern const char CLI_PROGRAM_ARGUMENTS[];
  * folder `brought`. False with *error, malloc'd, if there is no such program. verbose: says so on standard
  * error. */
 bool cli_program_find(struct cli_program *p, const char *brought, bool verbose, char **error);
+/* All nodes that the options name, of all programs. */
+uint32_t cli_program_nodes(const struct cli_program *p);
 void cli_program_free(struct cli_program *p);
 
 /* Adds the value of --set to a list that has room for it. */

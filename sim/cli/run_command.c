@@ -200,7 +200,7 @@ static bool results_possible(const struct arguments *a, char **error)
 /* Has the run one of the nodes of --trace-nodes? */
 static bool traces_some(const struct arguments *a)
 {
-    for (uint32_t i = 0; i < a->trace.node_count && i < a->what.nodes; i++)
+    for (uint32_t i = 0; i < a->trace.node_count && i < cli_program_nodes(&a->what); i++)
         if (a->traced_nodes[i])
             return true;
     return false;
@@ -214,12 +214,13 @@ static void check(struct argp_state *state, struct arguments *a)
         argp_error(state, "%s has room for one result, and two are to be written there", written_twice(a));
     if (a->engine && !cli_is_engine(a->engine))
         argp_error(state, "--engine takes 'fast' or 'reference', not '%s'", a->engine);
-    if (a->what.host && a->profile)
-        argp_error(state, "--profile is for programs that are on all nodes from the start, not with --host");
+    if ((a->what.host || a->what.more_count) && a->profile)
+        argp_error(state, "--profile is for one program that is on all nodes from the start%s",
+                   a->what.host ? ", not with --host" : "");
     if (!a->trace.path && (a->trace.from || a->trace.to || a->traced_nodes))
         argp_error(state, "--trace-from, --trace-to and --trace-nodes need --trace FILE");
     if (a->traced_nodes && a->what.nodes && !traces_some(a))
-        argp_error(state, "--trace-nodes: nodes are 0 to %u", a->what.nodes - 1);
+        argp_error(state, "--trace-nodes: nodes are 0 to %u", cli_program_nodes(&a->what) - 1);
     if (a->sensitivity && (a->stop.wanted || a->timing.drawn || a->timing.replay || a->timing.until))
         argp_error(state,
                    "--sensitivity is of the usual timing to the end: not with --gdb, --timing, --replay "
@@ -228,7 +229,7 @@ static void check(struct argp_state *state, struct arguments *a)
         argp_error(state, "--trace-to must be later than --trace-from");
     if (a->stop.wanted && a->timing.until && !a->stop.time)
         a->stop.time = a->timing.until, a->timing.until = 0;
-    cli_check_stop(state, &a->stop, a->what.host, a->what.nodes);
+    cli_check_stop(state, &a->stop, a->what.host, cli_program_nodes(&a->what));
 }
 
 /* Takes the pattern, which is malloc'd. */
@@ -431,9 +432,11 @@ static void give_to_host(struct arguments *a, struct machine_options *o)
 static struct machine_options options_of(struct arguments *a, const struct cfg_machine *cfg)
 {
     struct machine_options o = {.cfg = cfg,
-                                .nodes = a->what.nodes,
-                                .argc = a->what.program_count,
+                                .nodes = cli_program_nodes(&a->what),
+                                .argc = a->what.first_count,
                                 .argv = a->what.program,
+                                .more = a->what.more,
+                                .more_count = a->what.more_count,
                                 .host = a->what.host,
                                 .envp = environ,
                                 .max_virtual_s = a->what.max_virtual_s,
@@ -474,22 +477,24 @@ static void refuse_system_calls(const struct arguments *a)
 static void warn_of_other_costs(const struct machine *m, const struct machine_options *o, bool quiet)
 {
     const char *cpu = o->cfg->cpu, *slash = strrchr(cpu, '/');
-    char *other = quiet || o->host ? NULL : node_image_other_costs(m->image, cpu);
-    if (other)
-        cli_say_warning("run",
-                        "%s was compiled with the costs of %s, but %s has those of %s: nxcc --costs %s",
-                        o->argv[0], other, o->cfg->name, slash ? slash + 1 : cpu, cpu);
-    free(other);
+    for (size_t i = 0; i < m->image_count && !quiet && !o->host; i++) {
+        char *other = node_image_other_costs(m->images[i], cpu);
+        if (other)
+            cli_say_warning("run",
+                            "%s was compiled with the costs of %s, but %s has those of %s: nxcc --costs %s",
+                            node_image_path(m->images[i]), other, o->cfg->name, slash ? slash + 1 : cpu, cpu);
+        free(other);
+    }
 }
 
 /* Counts of a schedule mean other messages in another program, which mostly runs to its end all the same. */
 static void warn_of_other_program(const struct machine *m, const struct plan *plan)
 {
-    if (plan && plan->has_program && plan->program != elf_loaded_sum(node_image_elf(m->image)))
+    if (plan && plan->has_program && plan->program != machine_program_sum(m))
         cli_say_warning("run",
                         "%s was recorded of another program than %s, or of this one compiled otherwise: what "
                         "it counts may be something else here",
-                        plan->path, node_image_path(m->image));
+                        plan->path, node_image_path(m->images[0]));
 }
 
 struct ending {

@@ -1,7 +1,14 @@
-/* program_file.h - the search for a program that somebody names: in a folder, or among
- * those that come with touchstone. */
+/* program_file.h - a program that somebody names: where it is, and on how many nodes it runs. */
 #ifndef FILES_PROGRAM_FILE_H
 #define FILES_PROGRAM_FILE_H
+#include <stdint.h>
+
+/* A program with its arguments, on some nodes of a run. argv[0] is its path. */
+struct named_program {
+    uint32_t nodes;
+    int argc;
+    char **argv;
+};
 
 /* The path of the program `name`, malloc'd. A relative name is looked for in the folder `here` (NULL: the
  * current one), then in the folder `brought` of the programs that come with touchstone. If it is in none,

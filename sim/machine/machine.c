@@ -5,6 +5,7 @@
 #include "cfs/cfs.h"
 #include "guest/backtrace.h"
 #include "guest/debugger.h"
+#include "guest/elffile.h"
 #include "guest/image.h"
 #include "guest/libc/libc.h"
 #include "guest/span_texts.h"
@@ -135,7 +136,7 @@ static bool make_host(struct machine *m, char **error)
                                        .program = o->program,
                                        .host = o->argv[0],
                                        .envp = o->envp});
-    s->host = node_new_host(s, topo_host(&s->topo), m->image, o->argc, o->argv, o->envp, error);
+    s->host = node_new_host(s, topo_host(&s->topo), m->images[0], o->argc, o->argv, o->envp, error);
     if (!s->host)
         return false;
     s->running = 1;
@@ -143,23 +144,67 @@ static bool make_host(struct machine *m, char **error)
     return true;
 }
 
-static bool make_nodes(struct machine *m, char **error)
+static bool open_image(struct machine *m, const char *path, char **error)
+{
+    struct node_image *image = node_image_open(path, error);
+    if (!image)
+        return false;
+    node_image_set_layer(image, m->options.layer);
+    m->images = xreallocarray(m->images, m->image_count + 1, sizeof(struct node_image *));
+    m->images[m->image_count++] = image;
+    return true;
+}
+
+/* Opens all programs before the first node has one: what they call decides how nodes run. */
+static bool open_images(struct machine *m, char **error)
 {
     struct node_system *s = &m->sys;
-    m->image = node_image_open(m->options.argv[0], error);
-    if (!m->image)
-        return false;
-    node_image_set_layer(m->image, m->options.layer);
-    if (m->options.host)
-        return make_host(m, error);
-    s->flushes = node_image_uses(m->image, "flushmsg") || node_image_uses(m->image, "_flushmsg");
-    s->main_tells = node_image_uses(m->image, "nxm_number");
-    s->nodes = xcalloc(s->count, sizeof *s->nodes);
-    for (uint32_t i = 0; i < s->count; i++) {
-        s->nodes[i] = node_new(s, i, m->image, m->options.argc, m->options.argv, m->options.envp, error);
+    for (size_t i = 0; i <= m->options.more_count; i++) {
+        if (!open_image(m, i ? m->options.more[i - 1].argv[0] : m->options.argv[0], error))
+            return false;
+        s->flushes |= node_image_uses(m->images[i], "flushmsg") || node_image_uses(m->images[i], "_flushmsg");
+        s->main_tells |= node_image_uses(m->images[i], "nxm_number");
+    }
+    return true;
+}
+
+/* The program of the nodes before those of the other ones. */
+static struct named_program first_program(const struct machine_options *o)
+{
+    struct named_program first = {o->nodes, o->argc, o->argv};
+    for (size_t i = 0; i < o->more_count; i++)
+        first.nodes -= o->more[i].nodes;
+    return first;
+}
+
+static bool load_program(struct machine *m, const struct named_program *p, uint32_t program, uint32_t begin,
+                         char **error)
+{
+    struct node_system *s = &m->sys;
+    for (uint32_t i = begin; i < begin + p->nodes; i++) {
+        s->nodes[i] = node_new(s, i, m->images[program], p->argc, p->argv, m->options.envp, error);
         if (!s->nodes[i])
             return false;
+        s->nodes[i]->cold->program = program;
         node_start(s->nodes[i], 0);
+    }
+    return true;
+}
+
+static bool make_nodes(struct machine *m, char **error)
+{
+    const struct machine_options *o = &m->options;
+    if (o->host)
+        return open_image(m, o->argv[0], error) && make_host(m, error);
+    if (!open_images(m, error))
+        return false;
+    m->sys.nodes = xcalloc(m->sys.count, sizeof *m->sys.nodes);
+    uint32_t begin = 0;
+    for (uint32_t i = 0; i <= o->more_count; i++) {
+        struct named_program p = i ? o->more[i - 1] : first_program(o);
+        if (!load_program(m, &p, i, begin, error))
+            return false;
+        begin += p.nodes;
     }
     return true;
 }
@@ -250,8 +295,9 @@ void machine_free(struct machine *m)
     timing_free(m->sys.timing);
     numbering_free(m->sys.numbering);
     backtrace_lines_free(m->lines);
-    if (m->image)
-        node_image_close(m->image);
+    for (size_t i = 0; i < m->image_count; i++)
+        node_image_close(m->images[i]);
+    free(m->images);
     for (size_t i = 0; i < m->sys.host_file_count; i++)
         free(m->sys.host_files[i]);
     free(m->sys.host_files);
@@ -264,6 +310,14 @@ void machine_free(struct machine *m)
     free(m->message);
     waitfor_free(m->waits);
     free(m);
+}
+
+uint32_t machine_program_sum(const struct machine *m)
+{
+    uint32_t sum = 0;
+    for (size_t i = 0; i < m->image_count; i++)
+        sum = sum * 31 + elf_loaded_sum(node_image_elf(m->images[i]));
+    return sum;
 }
 
 uint32_t machine_nodes(const struct machine *m)

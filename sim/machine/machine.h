@@ -2,6 +2,7 @@
 #ifndef MACHINE_MACHINE_H
 #define MACHINE_MACHINE_H
 #include <signal.h>
+#include "files/program_file.h"
 #include "guest/libc/progress_line.h"
 #include "machine/debug_stop.h"
 #include "node/system.h"
@@ -14,6 +15,8 @@ struct machine_options {
     const char *program; /* with host: what the host program may load by name alone; NULL: nothing */
     int argc;            /* arguments of the program; argv[0] is its path */
     char **argv, **envp;
+    const struct named_program *more; /* other programs, on the last of the nodes; without host */
+    size_t more_count;
     double max_virtual_s;  /* 0: none */
     vtime until;           /* the run stops then, and reports where the nodes are; 0: at no time */
     double max_wall_s;     /* 0: none */
@@ -44,7 +47,8 @@ enum machine_outcome { MACHINE_ENDED, MACHINE_FAILED, MACHINE_DEADLOCK, MACHINE_
 struct machine {
     struct machine_options options;
     struct node_system sys;
-    struct node_image *image;
+    struct node_image **images; /* the program's, and those of other programs */
+    size_t image_count;
     enum machine_outcome outcome;
     char *message; /* how the run ended, for the user, one or more lines; NULL: nothing to say. Malloc'd */
     bool said;     /* the message was printed when it was known, on sys.out[1] */
@@ -71,6 +75,8 @@ void machine_record(struct machine *m, struct recorder *r);
 /* Runs the machine until all programs have ended, or something stops it; sets outcome, message, end and the
  * figures. To be called once. */
 void machine_run(struct machine *m);
+/* A number that tells programs apart, from what is loaded of them. */
+uint32_t machine_program_sum(const struct machine *m);
 /* The number of nodes in a report: all, or those of the host program's largest cube. */
 uint32_t machine_nodes(const struct machine *m);
 void machine_free(struct machine *m);

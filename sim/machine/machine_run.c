@@ -91,8 +91,7 @@ static void begin_schedule(const struct machine *m)
     if (!m->sys.numbering || !m->sys.numbering->out)
         return;
     char *drawn = m->options.draw ? draw_text(m->options.draw) : NULL;
-    schedule_record_begin(&m->sys, drawn, node_image_path(m->image),
-                          elf_loaded_sum(node_image_elf(m->image)));
+    schedule_record_begin(&m->sys, drawn, node_image_path(m->images[0]), machine_program_sum(m));
     free(drawn);
 }
 

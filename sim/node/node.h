@@ -241,6 +241,7 @@ struct node_cold {
     struct node_crash *crash;      /* machine. NULL: none */
     char name[16];                 /* for people: "node 3", "host" */
     int argc;                      /* guest */
+    uint32_t program;              /* machine: which of the run's programs, from 0 */
     char **argv;                   /* guest: the program's, in its memory */
     char **envp;                   /* as the user has given it: own_memory.h */
     const struct nxm_library *mpi; /* core: what the program has of MPI's objects. NULL: it has called none */

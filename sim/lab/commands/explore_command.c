@@ -232,6 +232,8 @@ static int explore_with(struct arguments *a, const regex_t *same)
                                             .host_files = a->files.list,
                                             .program = a->what.program,
                                             .program_count = a->what.program_count,
+                                            .more = a->what.more,
+                                            .more_count = a->what.more_count,
                                             .nodes = a->what.nodes,
                                             .max_virtual_s = a->what.max_virtual_s,
                                             .rules = rules,

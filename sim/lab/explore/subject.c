@@ -72,6 +72,17 @@ static struct digest digest_of_json(json_t *all)
     return d;
 }
 
+static bool add_other_programs(json_t *to, const struct subject_options *o, char **error)
+{
+    bool added = true;
+    for (size_t i = 0; i < o->more_count && added; i++) {
+        char *key = xasprintf("program %zu", i);
+        added = add_file(to, key, o->more[i].argv[0], error);
+        free(key);
+    }
+    return added;
+}
+
 static bool take_digest(struct subject *s, char **error)
 {
     const struct subject_options *o = &s->options;
@@ -90,7 +101,7 @@ static bool take_digest(struct subject *s, char **error)
         json_set(all, "input", digest_json(digest_of(o->input, o->input_bytes)));
     bool good = add_file(all, "touchstone", o->runner, error) &&
                 add_file(all, "program", s->program, error) && add_file(all, "host", s->host, error) &&
-                add_machine(all, s, error);
+                add_other_programs(all, o, error) && add_machine(all, s, error);
     s->digest = digest_of_json(all);
     return good;
 }

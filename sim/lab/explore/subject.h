@@ -6,6 +6,7 @@
 #ifndef LAB_EXPLORE_SUBJECT_H
 #define LAB_EXPLORE_SUBJECT_H
 #include <jansson.h>
+#include "files/program_file.h"
 #include "lab/jobs/digest.h"
 
 /* The texts are the caller's, and last as long. */
@@ -19,7 +20,9 @@ struct subject_options {
         *host_files;      /* of --host-files, ended by NULL; or NULL. Runs find them in the environment */
     char *const *program; /* with its arguments; count of them */
     int program_count;
-    unsigned nodes;           /* 0: as many as the host program asks for */
+    const struct named_program *more; /* other programs, which stand among these words */
+    size_t more_count;
+    unsigned nodes;           /* of the first program; 0: as many as the host program asks for */
     double max_virtual_s;     /* of a run; 0: no limit */
     const char *rules;        /* how runs are compared, as a text: other rules are other results */
     const char *compare_file; /* a file that the program writes, by which runs are compared; NULL: none */
