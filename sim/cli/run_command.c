@@ -284,7 +284,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     else if (key == TRACE_TO)
         a->trace.to = cli_later_time(state, "--trace-to", arg);
     else if (key == TRACE_NODES)
-        cli_node_list(state, "--trace-nodes", arg, &a->traced_nodes, &a->trace.node_count);
+        cli_node_list(state, "--trace-nodes", arg, &a->traced_nodes, &a->trace.node_count, NULL);
     else if (key == GDB)
         cli_take_stop(state, &a->stop, arg);
     else if (key == AT)

@@ -46,6 +46,14 @@ check "a trace: how many nodes had a program" grep -qx 'machine          ipsc860
 check "trace why: the command runs again" grep -q 'would take .* with node.clock_mhz=20' out
 check "trace why: another run's nodes, without the host" \
     eval "tr '\n' ' ' <out | grep -q 'farm.trace, on 8 nodes and the host, took' && grep -q '^  \"nodes\": 8,' why.json"
+rows() { "$BUILD/touchstone" trace export --nodes "$1" -f csv --table pieces elsewhere/farm.trace 2>err | cut -d, -f1 | sed 1d | sort -u | xargs; }
+check "--nodes names the host, too" test "$(rows 0-2,host)" = "host node 0 node 1 node 2"
+check "alone" test "$(rows host)" = "host"
+check "or not" test "$(rows 0-2)" = "node 0 node 1 node 2"
+check "a list that ends early" eval "rows host, && grep -q \"takes nodes such as 0-7,12,host, not 'host,'\" err"
+check "nodes that are not there" eval "rows 900 && grep -q 'it has nodes 0 to 127 and the host' err"
+"$BUILD/touchstone" trace why --nodes host --json why.json elsewhere/farm.trace >out 2>err
+check "trace why has the waits of the host alone" test "$(jq '[.waits.groups[].nodes] | max' why.json)" = 1
 "$BUILD/touchstone" page farm.html elsewhere/farm.trace >out 2>err
 check "a page: its title has the nodes that had a program" grep -q '<title>farm on 8 nodes of ipsc860' farm.html
 

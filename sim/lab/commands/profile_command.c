@@ -80,7 +80,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     else if (key == 'o')
         a->out = arg;
     else if (key == NODES)
-        cli_node_list(state, "--nodes", arg, &a->nodes, &a->node_count);
+        cli_node_list(state, "--nodes", arg, &a->nodes, &a->node_count, NULL);
     else if (key == ARGP_KEY_ARG)
         return cli_store_only(&a->path, arg);
     else if (key == ARGP_KEY_NO_ARGS)

@@ -117,12 +117,16 @@ static int failed(char *error, int status)
 static struct why *why_of(const char *path, const struct trace_selection *select)
 {
     char *error = NULL;
-    struct trace *t = trace_load(path, &(struct trace_selection){select->from, select->to, NULL, 0}, &error);
+    struct trace *t =
+        trace_load(path, &(struct trace_selection){.from = select->from, .to = select->to}, &error);
     if (t && t->to > t->from && trace_has_nodes(t, select, &error)) {
         cli_trace_warn("trace why", t, path);
-        return why_new(t, &(struct wait_nodes){select->nodes, select->node_count});
+        return why_new(t, select);
     }
-    failed(error ? error : xasprintf("%s: nothing of the run lies in that time", path), 0);
+    if (t && !error)
+        error =
+            xasprintf(t->end ? "%s: nothing of the run lies in that time" : "%s: the run took no time", path);
+    failed(error, 0);
     trace_free(t);
     return NULL;
 }

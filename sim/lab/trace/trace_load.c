@@ -135,24 +135,26 @@ int32_t trace_nodes_ran(const struct trace *t)
     return count;
 }
 
-static bool selects(const struct trace_selection *s, int32_t node)
+bool trace_selects(const struct trace *t, const struct trace_selection *s, int32_t node)
 {
-    return !s->nodes || ((uint32_t)node < s->node_count && s->nodes[node]);
+    return !s->nodes || ((uint32_t)node < s->node_count && s->nodes[node]) ||
+           (s->host && topo_is_host(&t->topo, t->nodes[node].address));
 }
 
 bool trace_has_nodes(const struct trace *t, const struct trace_selection *s, char **error)
 {
     for (int32_t i = 0; i < t->node_count; i++)
-        if (selects(s, i))
+        if (trace_selects(t, s, i))
             return true;
-    *error = xasprintf("%s has none of these nodes: it has nodes 0 to %d", t->path, t->node_count - 1);
+    *error = xasprintf("%s has none of these nodes: it has nodes 0 to %d%s", t->path,
+                       t->node_count - 1 - t->topo.host, t->topo.host ? " and the host" : "");
     return false;
 }
 
 /* Is a node selected? */
 static bool wants(const struct loading *l, int32_t node)
 {
-    return node != TRACE_NONE && selects(l->selection, node);
+    return node != TRACE_NONE && trace_selects(l->t, l->selection, node);
 }
 
 static bool wants_time(const struct loading *l, vtime begin, vtime end)
@@ -457,7 +459,7 @@ static void set_interval(struct trace *t, const struct trace_selection *s)
     t->from = vt_min(t->from, t->to);
     for (int32_t i = 0; i < t->node_count; i++) {
         struct trace_node *n = &t->nodes[i];
-        n->traced = n->traced && selects(s, i);
+        n->traced = n->traced && trace_selects(t, s, i);
         if (!t->complete)
             n->end = t->end;
     }

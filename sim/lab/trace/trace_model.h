@@ -151,6 +151,7 @@ struct trace_selection {
     vtime from, to;    /* what overlaps [from, to]; to 0: to the end */
     const bool *nodes; /* by number, node_count of them; NULL: all. Messages with an end at one of them */
     uint32_t node_count;
+    bool host; /* the host, too, if nodes is not NULL */
 };
 
 /* Reads a trace. NULL with *error (malloc'd, names the file) on failure, or if it has none of the nodes. */
@@ -160,6 +161,8 @@ bool trace_node_ran(const struct trace *t, int32_t node);
 /* How many nodes had a program; the host is none of them. */
 int32_t trace_nodes_ran(const struct trace *t);
 void trace_free(struct trace *t);
+/* Is the node, or host, selected? */
+bool trace_selects(const struct trace *t, const struct trace_selection *s, int32_t node);
 /* Has the trace one of the nodes selected? False with *error, malloc'd. */
 bool trace_has_nodes(const struct trace *t, const struct trace_selection *s, char **error);
 

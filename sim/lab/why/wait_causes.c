@@ -274,12 +274,12 @@ static void check(const struct wait_causes *c)
 }
 
 struct wait_causes wait_causes_find(const struct trace *t, struct piece_map *map, const struct wait_enders *e,
-                                    const struct wait_nodes *only)
+                                    const struct trace_selection *only)
 {
     struct wait_causes causes = {0};
     struct division d = {.t = t, .map = map, .enders = e, .causes = &causes};
     for (int32_t i = 0; i < t->node_count; i++)
-        if (t->nodes[i].traced && (!only || !only->list || ((uint32_t)i < only->count && only->list[i])))
+        if (t->nodes[i].traced && (!only || trace_selects(t, only, i)))
             divide_node(&d, i);
     free(d.way.legs);
     free(d.rests);

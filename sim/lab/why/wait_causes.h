@@ -41,15 +41,10 @@ struct wait_causes {
     vtime by_cause[WAIT_CAUSES];
 };
 
-/* Whose waits count: by number, `count` of them; list NULL: all nodes'. */
-struct wait_nodes {
-    const bool *list;
-    uint32_t count;
-};
-
-/* Divides the waits of the traced nodes; only NULL: of all. free(causes.parts) in the end. */
+/* Divides the waits of the traced nodes; only: of those selected; NULL: of all. free(causes.parts) in the
+ * end. */
 struct wait_causes wait_causes_find(const struct trace *t, struct piece_map *map, const struct wait_enders *e,
-                                    const struct wait_nodes *only);
+                                    const struct trace_selection *only);
 
 /* "late sender", "channel busy" ...; and as a key of JSON: "late_sender". */
 const char *wait_cause_name(enum wait_cause c);

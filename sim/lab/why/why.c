@@ -6,7 +6,7 @@
 #include "lab/why/path_shares.h"
 #include "lab/why/wait_groups.h"
 
-struct why *why_new(struct trace *t, const struct wait_nodes *only)
+struct why *why_new(struct trace *t, const struct trace_selection *only)
 {
     struct why *w = xcalloc(1, sizeof *w);
     w->t = t;
@@ -16,7 +16,7 @@ struct why *why_new(struct trace *t, const struct wait_nodes *only)
     w->path = path_find(t, &w->map, &w->enders);
     w->length = t->to - t->from;
     w->causes = wait_causes_find(t, &w->map, &w->enders, only);
-    w->some_nodes = only && only->list;
+    w->some_nodes = only && only->nodes;
     w->holder = block_holders_find(t);
     path_shares_find(w);
     wait_groups_find(w);

@@ -57,7 +57,7 @@ struct why {
 };
 
 /* Takes over the trace. only: whose waits count; NULL: all nodes'. */
-struct why *why_new(struct trace *t, const struct wait_nodes *only);
+struct why *why_new(struct trace *t, const struct trace_selection *only);
 void why_free(struct why *w);
 
 /* "node 3"; "network" for TRACE_NONE. */
