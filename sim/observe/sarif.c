@@ -210,12 +210,58 @@ static json_t *results(const struct machine *m, const struct race_reports *races
     return list;
 }
 
+/* --- rules ---------------------------------------------------------------------------------------------- */
+
+/* What the findings of a rule are, and what to do; those that are not here are kinds of errors of --asan. */
+static const struct {
+    const char *id, *what, *help;
+} RULES[] = {
+    {"race", "A handler and the main program use the same bytes, with no order between them",
+     "What the program computes depends on when a message comes. Mask the handlers around the accesses "
+     "(masktrap), or wait for what tells that the handler has run."},
+    {"deadlock", "Every program waits, and no message is under way",
+     "The message says for each node what it waits for, and why that does not come."},
+    {"exit", "A program ended with an error",
+     "Its own output says why. Programs that wait for its messages wait in vain."},
+    {"crash", "A program crashed, or was stopped with an error",
+     "The message has the calls that led there. Build the program with nxcc -g, so that it has lines, and "
+     "with --asan, so that the first wrong access is told."}};
+
+static json_t *rule_json(const char *id)
+{
+    const char *what = "The program uses memory that it may not",
+               *help = "AddressSanitizer found this (nxcc --asan): the line is that of the wrong access.";
+    for (size_t i = 0; i < sizeof RULES / sizeof *RULES; i++)
+        if (!strcmp(id, RULES[i].id))
+            what = RULES[i].what, help = RULES[i].help;
+    return xchecked(json_pack("{s:s, s:{s:s}, s:{s:s}}", "id", id, "shortDescription", "text", what, "help",
+                              "text", help));
+}
+
+/* The rules of the results, each once. */
+static json_t *rules(const json_t *list)
+{
+    json_t *known = json_object(), *all = xchecked(json_array()), *o;
+    size_t i;
+    json_array_foreach(list, i, o)
+    {
+        const char *id = json_string_value(json_object_get(o, "ruleId"));
+        if (json_object_get(known, id))
+            continue;
+        json_set(known, id, json_true());
+        json_append(all, rule_json(id));
+    }
+    json_decref(known);
+    return all;
+}
+
 char *sarif_write(const struct machine *m, const struct race_reports *races, const char *version,
                   const char *path)
 {
-    json_t *root = xchecked(json_pack("{s:s, s:s, s:[{s:{s:{s:s, s:s}}, s:o}]}", "$schema",
+    json_t *list = results(m, races);
+    json_t *root = xchecked(json_pack("{s:s, s:s, s:[{s:{s:{s:s, s:s, s:o}}, s:o}]}", "$schema",
                                       "https://json.schemastore.org/sarif-2.1.0.json", "version", "2.1.0",
                                       "runs", "tool", "driver", "name", "touchstone", "version", version,
-                                      "results", results(m, races)));
+                                      "rules", rules(list), "results", list));
     return json_file_write(root, path);
 }

@@ -18,6 +18,9 @@ check "a deadlock: the line of the call" test "$(cat found)" = "deadlock error d
 at_call=$(cat found)
 check "with the report" test "$(jq -r '.runs[0].results[0].message.text | split("\n")[0]' found.sarif)" = "deadlock: every program waits, and no message is under way"
 
+described() { jq -r '[.runs[0].results[].ruleId] - [.runs[0].tool.driver.rules[] | select(.shortDescription.text and .help.text).id] | length' found.sarif; }
+check "and the rule is described" test "$(described)" = 0
+
 cp "$examples/deadlock.c" '100% (dead) lock.c'
 "$BUILD/nxcc" -g -O2 -o named '100% (dead) lock.c'
 sarif -n 4 named
@@ -62,6 +65,7 @@ at() { echo "race.c:$(line race.c "$1: $2")"; } # STRAND VARIABLE
 check "races: a result a variable, with all its lines" test "$(cat found)" = \
     "race warning $(at handler sum),$(at main sum),$(at main 'sum again')
 race warning $(at handler other),$(at main other)"
+check "their rule is there once" test "$(jq -r '[.runs[0].tool.driver.rules[].id] | join(" ")' found.sarif)" = race
 check "the text has all of them" grep -q 'in order\. Also: handler writes at race\.c:5, main program reads at race\.c:[0-9]*"' found.sarif
 
 cat >over.c <<'END'
@@ -75,6 +79,7 @@ int main(int argc, char **argv)
 END
 "$BUILD/nxcc" -g --asan -o over over.c
 sarif -n 1 over
+check "--asan: its rule is described" test "$(described)" = 0
 check "--asan: its kind and its line" test "$(cat found)" = "heap-buffer-overflow error over.c:$(line over.c 'p[8')"
 
 printf 'static volatile int a[4];\nint main(int argc, char **argv)\n{\n    a[argc + 3] = 1;\n    return 0;\n}\n' >global.c
