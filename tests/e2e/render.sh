@@ -66,6 +66,7 @@ end_header
 END
 render nodes.ply --by node --size 64x48
 check "by node" test "$status $(head -1 out)" = "0 nodes.ply: 4 polygons, 4 vertices; opacity 1"
+check "which colour is whose" test "$(sed -n 2p out)" = "  nodes: 7 7c87da, 12 59aced, 511 a09122"
 render nodes.ply -o nodes.vtk
 node_numbers() { # as VTK reads them: 4 numbers after the last table's name
     local at

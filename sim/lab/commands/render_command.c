@@ -39,7 +39,7 @@ static const struct argp_option OPTIONS[] = {
     {"zoom", ZOOM, "Z", 0, "Enlarge Z times around the middle, 0.01 to 100; 1: all is in the picture", 0},
     {"by", BY, "node", 0,
      "Colour each polygon by the node that made it: the files' faces have a property node, as the model "
-     "writes it with -bynode",
+     "writes it with -bynode; standard output says which colour is whose",
      0},
     {"colour", COLOUR, "C,C...", 0,
      "A colour for each FILE, or one for all: RRGGBB in hexadecimal, or a name (below); default colours that "
@@ -255,6 +255,22 @@ static void show_progress(unsigned frame, unsigned frames)
     fprintf(stderr, frame < frames ? "\rpicture %u of %u" : "\r\033[K", frame, frames);
 }
 
+/* Which colour is whose, as a page's legend has it: of the first nodes. */
+static void say_nodes(const struct output_file *f)
+{
+    const size_t most = 64;
+    for (size_t i = 0; i < f->node_count && i < most; i++) {
+        float linear[3];
+        colours_of_node(f->node[i] % SCENE_NODE_COLOURS, linear);
+        printf("%s%u %02x%02x%02x", i ? ", " : "  nodes: ", f->node[i], colours_srgb(linear[0]),
+               colours_srgb(linear[1]), colours_srgb(linear[2]));
+    }
+    if (f->node_count > most)
+        printf(", and %zu more", f->node_count - most);
+    if (f->node_count)
+        printf("\n");
+}
+
 /* Says what is in each file, how it is shown, and last the name of the result. */
 static void say(const struct output_request *r, const struct output_file *file)
 {
@@ -272,6 +288,7 @@ static void say(const struct output_request *r, const struct output_file *file)
         if (kind != OUTPUT_MESH)
             printf("%s opacity %.2g", f->has_colour ? "," : ";", f->opacity);
         printf("\n");
+        say_nodes(f);
     }
     if (strcmp(r->path, "-"))
         puts(r->path);
@@ -280,15 +297,17 @@ static void say(const struct output_request *r, const struct output_file *file)
 /* Returns the exit status. */
 static int make(const struct output_request *r)
 {
-    struct output_file file[OUTPUT_MOST_FILES];
+    struct output_file file[OUTPUT_MOST_FILES] = {0};
     char *error = NULL;
     cli_say_doing("reading", r->file[0]);
     enum output_status status = output_make(r, file, &error);
     cli_say_done();
-    if (status == OUTPUT_DONE) {
+    if (status == OUTPUT_DONE)
         say(r, file);
+    for (size_t i = 0; i < r->count; i++)
+        free(file[i].node);
+    if (status == OUTPUT_DONE)
         return 0;
-    }
     cli_say_error("render", "%s", error);
     free(error);
     return status == OUTPUT_BAD_INPUT ? CLI_EXIT_INPUT : 1;

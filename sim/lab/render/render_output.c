@@ -110,9 +110,27 @@ static void tell(const struct mesh *m, struct output_file *file)
     *file = (struct output_file){.vertices = m->vertex_count, .polygons = m->face_count};
 }
 
+static int by_number(const void *a, const void *b)
+{
+    const uint32_t *x = a, *y = b;
+    return (*x > *y) - (*x < *y);
+}
+
+static void tell_nodes(const struct mesh *m, struct output_file *file)
+{
+    file->node = xcalloc((size_t)m->face_count + 1, sizeof *file->node);
+    memcpy(file->node, m->node, m->face_count * sizeof *m->node);
+    qsort(file->node, m->face_count, sizeof *file->node, by_number);
+    for (uint32_t f = 0; f < m->face_count; f++)
+        if (!f || file->node[f] != file->node[file->node_count - 1])
+            file->node[file->node_count++] = file->node[f];
+}
+
 /* What is told of a surface after it has its colour. */
 static void tell_colour(const struct scene_surface *s, struct output_file *file)
 {
+    if (s->colouring == SCENE_BY_NODE)
+        tell_nodes(&s->mesh, file);
     file->has_colour = s->colouring == SCENE_BY_SURFACE;
     file->opacity = (double)s->opacity;
     for (int i = 0; i < 3; i++)

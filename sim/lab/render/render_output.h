@@ -39,6 +39,8 @@ struct output_file {
     bool has_colour;   /* in a picture, one colour; otherwise those of nodes, or the file's own */
     uint8_t colour[3]; /* sRGB */
     double opacity;
+    uint32_t *node; /* by node: whose polygons it has, in order, each once; malloc'd. Otherwise NULL */
+    size_t node_count;
 };
 
 /* Does what is asked, and fills file for each of the request's files. Unless it returns OUTPUT_DONE, *error
