@@ -109,6 +109,9 @@ check "broken JSON is told with its line" said '^touchstone page: cut.json:2: '
 echo '{"a": 1}' >other.json
 page none.html other.json
 check "JSON of others is told" said '^touchstone page: other.json: JSON, but not of touchstone: a page shows'
+echo '{"nodes": [1], "cycle": ["x"]}' >other.json
+page none.html other.json
+check "and what only looks like a deadlock" said '^touchstone page: other.json: JSON, but not of touchstone: a page shows'
 head -c 200 run.trace >cut.trace
 page none.html cut.trace
 check "a trace that is cut off is told" said '^touchstone page: cut.trace'

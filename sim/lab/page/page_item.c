@@ -66,9 +66,9 @@ static bool read_json(struct page_item *item, const char *path, char **error)
     if (!item->json)
         return *error = xasprintf("%s:%d: %s", path, why.line, why.text), false;
     item->kind = kind_of_json(item->json);
-    if (item->kind == PAGE_KINDS)
+    json_t *deadlock = item->kind == PAGE_KINDS ? NULL : page_deadlock_make(item->json);
+    if (item->kind == PAGE_KINDS || (item->kind == PAGE_DEADLOCK && !deadlock))
         return *error = xasprintf("%s: JSON, but not of touchstone: %s", path, ACCEPTED), false;
-    json_t *deadlock = page_deadlock_make(item->json);
     if (item->kind == PAGE_DEADLOCK) {
         json_decref(item->json);
         item->json = deadlock;
