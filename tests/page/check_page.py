@@ -365,6 +365,28 @@ def check_trace_rest(b):
             pair(m.pairAt(0, 277)), pair(m.pairAt(-5, 9999))]""")
     rule("a matrix of many nodes: a pixel for pairs that share it, and the mouse finds the largest", said[0] == 4 and said[1] <= 602 and
          said[2:] == ["0 7", "20000 3", "39999 0"], said)
+    said = b.run("""const trace = {nodes: [{name: 'node 0', ran: true}, {name: 'node 1', ran: true}], sentAt: [], overAt: [], messageCount: 1,
+        columns: {'message.from': [0], 'message.to': [1], 'message.bytes': {number: () => 0}}}, m = sumMatrix(trace, 'bytes', null), tones = [];
+        const canvas = document.createElement('canvas'), g = canvas.getContext('2d'), fill = g.fillRect.bind(g), line = element('p');
+        g.fillRect = (...at) => { tones.push(g.fillStyle); fill(...at); };
+        drawMatrix(canvas, m, 602, null);
+        showScale(line, m, 'bytes');
+        return [tones.at(-1) !== tones.at(-2), line.textContent]""")
+    rule("a matrix of messages without bytes: their pair is drawn, and the scale has no more", said == [True, "0  0 bytes"], said)
+    said = b.run("""const columns = {'message.from': [0, 1], 'message.to': [65535, -1], 'message.bytes': {at: () => 8n}};
+        return pairsTable({messageCount: 2, columns, nodeName: n => 'node ' + n})[0].querySelectorAll('tbody tr').length""")
+    rule("the table of pairs keeps those of very many nodes apart", said == 2, said)
+    said = b.run("""const drawn = [], g = document.createElement('canvas').getContext('2d'), places = [];
+        places[100] = {x: 0, y: 0};
+        g.fillText = text => drawn.push(text);
+        drawNodes(g, {trace: {nodes: [{address: 100}], topology: {positions: 128}}, places, ports: [], cell: 70, space: 0}, () => '#000000');
+        return drawn""")
+    rule("channels: numbers of three digits stand in their circles", said == ["100"], said)
+    said = b.run("""const section = flameSection('main 0\\n', 'none'), text = section.textContent, link = document.querySelector('nav li:last-child');
+        section.remove();
+        link.remove();
+        return [flameSummary('# none\\n').big, text.includes('No stack took any time.'), text.includes('NaN')]""")
+    rule("a flame graph of stacks that took no time", said == ["no frame", True, False], said)
     said = b.run("return ['node 1', 'host'].map(name => nodeParts([{name: 'node 0'}, {name}])[3][1])")
     rule("a run's bars: only where a host loads programs, nodes have none at first", said == ["ended", "no program"], said)
     frame = [g for g in why.find_elements(By.CSS_SELECTOR, "g[role=button]") if g.get_attribute("aria-label").startswith("crecv")][0]

@@ -218,14 +218,14 @@ function drawLink(g, map, link, tone, width) {
 }
 
 function drawNodes(g, map, tone) {
-    const radius = nodeRadius(map), shares = new Map();
+    const radius = nodeRadius(map), shares = new Map(), used = new Set(map.trace.nodes.map(n => n.address));
     for (const port of map.ports)
         shares.set(port.from, Math.max(shares.get(port.from) || 0, channelShare(map, port.index)));
     g.textAlign = 'center';
     g.textBaseline = 'middle';
     g.font = `${Math.min(11, Math.max(7, radius))}px system-ui, sans-serif`;
     map.places.forEach((place, address) => {
-        const node = map.trace.nodes.find(n => n.address === address), at = centre(map, address);
+        const node = used.has(address), at = centre(map, address);
         const service = address >= map.trace.topology.positions;
         g.beginPath();
         if (service)
@@ -238,8 +238,8 @@ function drawNodes(g, map, tone) {
         g.strokeStyle = node || service ? tone(shares.get(address) || 0) : colour('line');
         g.stroke();
         g.fillStyle = colour(node ? 'ink' : 'soft');
-        if (!service && radius >= NUMBERED && g.measureText(String(address)).width < radius * 1.75)
-            g.fillText(String(address), at.x, at.y + 0.5);
+        if (!service && radius >= NUMBERED && address < 1000)
+            g.fillText(String(address), at.x, at.y + 0.5, radius * 1.75);
     });
 }
 

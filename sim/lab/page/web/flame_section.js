@@ -23,7 +23,7 @@ function flameSummary(text) {
     const root = readStacks(text), top = frameSums(root)[0];
     return {
         kind: 'Flame graph',
-        big: top ? `${(top.own / root.value * 100).toFixed(1)} % in ${top.name}` : 'no frame',
+        big: root.value ? `${(top.own / root.value * 100).toFixed(1)} % in ${top.name}` : 'no frame',
         small: `${plural(text.split('\n').filter(Boolean).length, 'stack')}`
     };
 }
@@ -35,7 +35,12 @@ function flameSection(text, name) {
             element('span', {class: 'hint'}, ' A click, or Enter, widens a frame.')
         ],
         name);
-    const root = readStacks(text), flame = {
+    const root = readStacks(text);
+    if (!root.value) {
+        section.append(element('p', {}, 'No stack took any time.'));
+        return section;
+    }
+    const flame = {
         root,
         top: root,
         query: '',

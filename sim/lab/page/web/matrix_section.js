@@ -91,7 +91,8 @@ function matrixRamp(share) {
 function drawMatrix(canvas, matrix, width, at) {
     const scale = devicePixelRatio || 1, g = canvas.getContext('2d'), size = width - 2,
           space = matrix.count > 10000 ? 46 : 34; /* for a node's number */
-    Object.assign(matrix, {cell: Math.min((size - space) / matrix.count, 28), space});
+    const cell = Math.min((size - space) / matrix.count, 28);
+    Object.assign(matrix, {cell, space, gap: cell > 5 ? 1 : 0});
     const whole = matrix.cell * matrix.count, side = space + whole;
     canvas.width = (side + 2) * scale;
     canvas.height = (side + 2) * scale;
@@ -100,7 +101,7 @@ function drawMatrix(canvas, matrix, width, at) {
     g.fillStyle = colour('ground');
     g.fillRect(0, 0, side + 2, side + 2);
     g.fillStyle = colour('panel');
-    if (matrix.cell > 5)
+    if (matrix.gap)
         drawEmptyCells(g, matrix);
     else
         g.fillRect(space, space, whole, whole);
@@ -108,16 +109,17 @@ function drawMatrix(canvas, matrix, width, at) {
     matrixLabels(g, matrix, at);
 }
 
-function drawEmptyCells(g, {count, cell, space}) {
+function drawEmptyCells(g, {count, cell, space, gap}) {
     for (let from = 0; from < count; from++)
         for (let to = 0; to < count; to++)
-            g.fillRect(space + to * cell, space + from * cell, cell - 1, cell - 1);
+            g.fillRect(space + to * cell, space + from * cell, cell - gap, cell - gap);
 }
 
 /* Pairs that share a pixel are drawn as the largest of them, which the mouse finds there. */
 function drawPairs(g, matrix) {
-    const {sums, stride, count, cell, space} = matrix, size = Math.max(cell, 1), gap = cell > 5 ? 1 : 0;
-    const ramp = d3.range(65).map(i => matrixRamp(0.12 + i / 64 * 0.88)), most = Math.log(matrix.most + 1);
+    const {sums, stride, count, cell, space, gap} = matrix, size = Math.max(cell, 1);
+    const ramp = d3.range(65).map(i => matrixRamp(0.12 + i / 64 * 0.88)),
+          most = Math.log(matrix.most + 1) || 1; /* messages may have no bytes */
     const step = Math.min(cell, 1), grid = Math.ceil(count * step), largest = new Map();
     const spot = (from, to) => Math.floor(from * step) * grid + Math.floor(to * step);
     for (const [key, sum] of sums) {
@@ -168,13 +170,13 @@ function showScale(line, matrix, figureName) {
     const ramp = element('span', {class: 'ramp'});
     ramp.style.background =
         `linear-gradient(to right, ${d3.range(9).map(i => matrixRamp(0.12 + i / 8 * 0.88)).join(', ')})`;
-    line.replaceChildren('1 ', ramp, ` ${grouped(String(matrix.most))} ${figureName}`);
+    line.replaceChildren(`${Math.min(1, matrix.most)} `, ramp, ` ${grouped(String(matrix.most))} ${figureName}`);
 }
 
 function pairsTable(trace) {
     const c = trace.columns, pairs = new Map();
     for (let i = 0; i < trace.messageCount; i++) {
-        const key = c['message.from'][i] * 65536 + c['message.to'][i];
+        const key = `${c['message.from'][i]} ${c['message.to'][i]}`;
         const pair = pairs.get(key) || {
             from: trace.nodeName(c['message.from'][i]),
             to: trace.nodeName(c['message.to'][i]),
@@ -191,5 +193,5 @@ function pairsTable(trace) {
             {name: 'messages', get: p => p.messages},
             {name: 'bytes', get: p => p.bytes, show: v => grouped(String(v))}
         ],
-        [...pairs.values()].sort((a, b) => (a.bytes < b.bytes ? 1 : -1)));
+        [...pairs.values()].sort((a, b) => Number(b.bytes - a.bytes)));
 }

@@ -360,7 +360,7 @@ function splitByNode(place, corner, normal, node) {
                 owner[v] = node[t];
             if (owner[v] === node[t])
                 continue;
-            const key = v * 65536 + node[t] + 1;
+            const key = v * 2 ** 21 + node[t]; /* there are up to 2^20 nodes */
             if (!extra.has(key)) {
                 extra.set(key, count + from.length / 2);
                 from.push(v, node[t]);

@@ -3,12 +3,12 @@
 
 function traceSections(trace, name) {
     const section = addSection(`Timeline of ${baseName(trace.program)} on ${trace.machine}`, 'Timeline: ' + baseName(name),
-        [...commandText(trace.command), ` (${name}): ${nodesText(trace.rows)}, ${
+        [...commandText(trace.command), ` (${name}): ${nodesText(trace.nodes.filter(n => n.traced && n.ran))}, ${
             plural(trace.pieceCount,
                 'interval')}, ${plural(trace.messageCount, 'message')} ${spanText(trace)}.`],
         name);
     if (!trace.rows.length) {
-        section.append(element('p', {}, 'The trace has no node.'));
+        section.append(element('p', {}, 'No node of the trace did anything that took time.'));
         return section;
     }
     const timeline = trace.timeline = new Timeline(trace, section, name);
