@@ -105,8 +105,9 @@ static void failures_are_told_and_the_rest_goes_on(void **state)
         {.name = "signal", .argv = SH("kill -SEGV $$")},
         {.name = "not there", .argv = (char *[]){"/no/such/program", NULL}},
         {.name = "good", .argv = SH("echo good")},
+        {.name = "no input", .argv = SH(":"), .in = "/no/such/input"},
     };
-    struct pool_end end = pool_run(jobs, 4, 2, NULL);
+    struct pool_end end = pool_run(jobs, 5, 2, NULL);
     assert_false(end.all_done);
     assert_false(end.stopped);
     assert_string_equal(jobs[0].error, "exit status 3: first\nlast words");
@@ -115,7 +116,9 @@ static void failures_are_told_and_the_rest_goes_on(void **state)
                         "exit status 127: /no/such/program cannot be run: No such file or directory");
     assert_int_equal(jobs[2].state, POOL_FAILED);
     assert_string_equal(jobs[3].out, "good\n");
-    pool_clear(jobs, 4);
+    assert_string_equal(jobs[4].error,
+                        "exit status 127: its input cannot be read: No such file or directory");
+    pool_clear(jobs, 5);
 }
 
 static void much_output_is_cut_and_does_not_block(void **state)

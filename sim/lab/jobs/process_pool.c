@@ -128,7 +128,7 @@ static void become(const struct pool_job *job, const char *threads, int out, int
     if (getppid() != parent) /* the parent died before prctl() */
         _exit(127);
     int in = open(job->in ? job->in : "/dev/null", O_RDONLY | O_CLOEXEC);
-    if (dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0) {
+    if (in < 0 || dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0) {
         dprintf(err, "its input cannot be read: %s\n", strerror(errno));
         _exit(127);
     }

@@ -22,10 +22,10 @@ static char *notes(const struct message_lengths *l)
     if (!l->messages)
         return xstrdup("No message was sent");
     char *bytes = axis_number_text((double)l->bytes, true);
-    char *text = xasprintf("%s messages, %s; the shortest has %" PRIu64 " bytes, the median %" PRIu64
+    char *text = xasprintf("%s message%s, %s; the shortest has %" PRIu64 " bytes, the median %" PRIu64
                            ", the longest %s; classes by powers of two",
-                           number_grouped(l->messages).text, bytes, l->shortest, l->median,
-                           number_grouped(l->longest).text);
+                           number_grouped(l->messages).text, l->messages == 1 ? "" : "s", bytes, l->shortest,
+                           l->median, number_grouped(l->longest).text);
     free(bytes);
     return text;
 }

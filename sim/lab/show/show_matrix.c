@@ -51,9 +51,9 @@ static char *notes(const struct show *s, const struct matrix_picture *x)
 {
     char *bytes = axis_number_text((double)x->m.bytes, true);
     char *rows = s->rows.per > 1 ? node_rows_text(&s->rows, "rows") : xstrdup("");
-    char *text =
-        xasprintf("%s messages sent, %s%s%s; white: none; bars: all that a row sent, and a column received",
-                  number_grouped(x->m.messages).text, bytes, *rows ? "; " : "", rows);
+    char *text = xasprintf(
+        "%s message%s sent, %s%s%s; white: none; bars: all that a row sent, and a column received",
+        number_grouped(x->m.messages).text, x->m.messages == 1 ? "" : "s", bytes, *rows ? "; " : "", rows);
     free(bytes);
     free(rows);
     return text;
