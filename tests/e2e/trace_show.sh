@@ -123,6 +123,12 @@ show gantt --scale 5% ring.trace
 check "a chart's colours have no scale" is_error 64 "--scale with a share is for channels and film, not for 'gantt'"
 show space-time --by bytes ring.trace
 check "nor does space-time count bytes" is_error 64 "--by is for matrix and queues, not for 'space-time'"
+printf '#include <nx.h>\nint main(void)\n{\n    gsync();\n    return 0;\n}\n' >together.c
+"$BUILD/nxcc" -O2 -o together together.c && run -q -m ipsc860 --set topology.dimension=14 -n 16384 --trace huge.trace together
+show channels -o huge.png huge.trace
+check "more nodes than a picture has room for: what to do" is_error 1 'pixels high, and has room for 32767: show fewer nodes, or write an .svg'
+show film -o huge.webp huge.trace
+check "than a film has" is_error 1 'pixels high, and have room for 16383: show fewer nodes'
 show --than missing.trace ring.trace
 check "another trace that is not there" is_error 65 'missing.trace cannot be read'
 show --than ring.trace --nodes 4-7 faster.trace

@@ -9,6 +9,8 @@
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
 
+enum { MOST_PIXELS = 32767 }; /* of an image of libcairo's, each way */
+
 enum picture_kind picture_kind_of(const char *path)
 {
     const char *dot = strrchr(path, '.');
@@ -67,6 +69,13 @@ bool picture_write(const char *path, enum picture_kind kind, double height, pict
                    char **error)
 {
     struct atomic_file f;
+    if (kind != PICTURE_SVG && ceil(height) * CANVAS_PIXELS > MOST_PIXELS) {
+        *error =
+            xasprintf("%s cannot be drawn: it would be %.0f pixels high, and has room for %d: show fewer "
+                      "nodes, or write an .svg",
+                      path, ceil(height) * CANVAS_PIXELS, MOST_PIXELS);
+        return false;
+    }
     if (!atomic_file_begin(&f, path, error))
         return false;
     struct sink sink = {.out = f.out};

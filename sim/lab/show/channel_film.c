@@ -99,10 +99,15 @@ static bool add_all(const struct show *s, WebPAnimEncoder *film, cairo_surface_t
     return added;
 }
 
+static double film_height(const struct show *s)
+{
+    return ceil(HEAD_HEIGHT + channel_shapes_height(s) + 8 + STRIP + 10);
+}
+
 /* Puts the film together; false if libwebp fails, which is for want of memory. */
 static bool make_film(const struct show *s, WebPData *data, film_tell *tell, void *ctx)
 {
-    double height = ceil(HEAD_HEIGHT + channel_shapes_height(s) + 8 + STRIP + 10);
+    double height = film_height(s);
     WebPAnimEncoderOptions options;
     if (!WebPAnimEncoderOptionsInit(&options))
         return false;
@@ -121,6 +126,12 @@ bool channel_film_write(const struct show *s, const char *path, film_tell *tell,
     struct atomic_file f;
     WebPData data;
     WebPDataInit(&data);
+    if (film_height(s) > WEBP_MAX_DIMENSION) {
+        *error = xasprintf("%s cannot be made: its pictures would be %.0f pixels high, and have room for %d: "
+                           "show fewer nodes",
+                           path, film_height(s), WEBP_MAX_DIMENSION);
+        return false;
+    }
     if (!atomic_file_begin(&f, path, error))
         return false;
     if (!make_film(s, &data, tell, ctx)) {
