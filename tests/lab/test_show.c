@@ -116,6 +116,9 @@ static void classes_are_powers_of_two_and_the_host_is_apart(void **state)
     assert_int_equal(r.row[299], 38);
     assert_text("8\u201315", node_rows_label(&r, &t, 1));
     assert_text("host", node_rows_label(&r, &t, 38));
+    r.classes[38].last = 10000; /* long ranges leave a picture's margin */
+    assert_text("8\u2026", node_rows_label(&r, &t, 1));
+    r.classes[38].last = 299;
     assert_string_equal(activity_name(&t, ACTIVITIES), "no program");
     assert_string_equal(stacked_whole(&t), "Of all time: ");
     assert_text("299 nodes and the host in 38 rows of 8", node_rows_text(&r, "rows"));

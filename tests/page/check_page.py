@@ -381,6 +381,11 @@ def check_trace_rest(b):
         g.fillText = text => drawn.push(text);
         drawNodes(g, {trace: {nodes: [{address: 100}], topology: {positions: 128}}, places, ports: [], cell: 70, space: 0}, () => '#000000');
         return drawn""")
+    placed = b.run("""const channels = [8, 10].map(from => ({from, to: null})), map = {trace: {channels, columns: {'channel.uses': [1, 2]},
+        topology: {dimension: 3, columns: 0, positions: 8, addresses: 11, host: true}}};
+        layOut(map);
+        return [8, 9, 10].map(a => map.places[a] ? [map.places[a].x, map.places[a].y] : null)""")
+    rule("channels: a cube's services that were used, and its host, stand beside their nodes", placed == [[-0.38, -0.38], None, [-0.38, 0.38]], placed)
     rule("channels: numbers of three digits stand in their circles", said == ["100"], said)
     said = b.run("""const section = flameSection('main 0\\n', 'none'), text = section.textContent, link = document.querySelector('nav li:last-child');
         section.remove();

@@ -125,9 +125,12 @@ void node_rows_free(struct node_rows *r)
 char *node_rows_label(const struct node_rows *r, const struct trace *t, int32_t row)
 {
     const struct node_class *c = &r->classes[row];
+    const bool wide = r->classes[r->count - 1].last >= 10000;
     if (is_host(t, c->first))
         return xstrdup("host");
-    return c->size == 1 ? xasprintf("%d", c->first) : xasprintf("%d\u2013%d", c->first, c->last);
+    return c->size == 1 ? xasprintf("%d", c->first)
+           : wide       ? xasprintf("%d\u2026", c->first)
+                        : xasprintf("%d\u2013%d", c->first, c->last);
 }
 
 char *node_rows_text(const struct node_rows *r, const char *what)

@@ -38,7 +38,7 @@ static inline double node_rows_edge(const struct node_rows *r, int32_t row)
     return r->edge ? r->edge[row] : (double)row / r->count;
 }
 void node_rows_free(struct node_rows *r);
-/* "3", "8-15", "host": a malloc'd text. */
+/* "3", "8-15", "host"; "10240..." where numbers are long: a malloc'd text. */
 char *node_rows_label(const struct node_rows *r, const struct trace *t, int32_t row);
 /* "16 nodes", "512 nodes in 64 rows of 8", "128 nodes and the host in ...": malloc'd. what: "rows",
  * "spokes". */

@@ -84,7 +84,7 @@ static bool read_spot(struct reading *r, size_t i, const char *text)
     return true;
 }
 
-/* A parent may come behind its child. */
+/* A parent comes before its children. */
 static bool read_spots(struct reading *r, const json_t *list, char **error)
 {
     r->spot_count = json_array_size(list);

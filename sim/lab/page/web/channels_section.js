@@ -84,7 +84,7 @@ function layOut(map) {
         for (let a = topology.positions, i = 0; a < topology.addresses; a++, i++)
             map.places[a] = {x: across + Math.floor(i / map.rows), y: i % map.rows};
     else
-        placeServices(map, channels, topology);
+        placeServices(map, topology);
     dropIdle(map);
     map.columns = d3.max(map.places, p => p?.x) + 1;
     map.rows = d3.max(map.places, p => p?.y) + 1;
@@ -110,11 +110,14 @@ function isLink(map, c) {
     return map.cube || Math.abs(a.x - b.x) + Math.abs(a.y - b.y) === 1;
 }
 
-/* Services of a cube, and its host, hang on nodes: they stand beside them. */
-function placeServices(map, channels, topology) {
-    for (const c of channels)
-        if (c.to !== null && c.to >= topology.positions && c.from < topology.positions)
-            map.places[c.to] = {x: map.places[c.from].x - 0.38, y: map.places[c.from].y - 0.38};
+/* Services of a cube hang on nodes, evenly spread, and its host on node 0 (net/topo.h): they stand beside
+ * them, the host below. */
+function placeServices(map, {positions, addresses, host}) {
+    const services = addresses - positions - host;
+    for (let i = 0; i < services + host; i++) {
+        const {x, y} = map.places[i < services ? Math.floor(i * positions / services) : 0];
+        map.places[positions + i] = {x: x - 0.38, y: y + (i < services ? -0.38 : 0.38)};
+    }
 }
 
 function channelShare(map, i) {
