@@ -15,7 +15,8 @@ const char CLI_PROGRAM_ARGUMENTS[] = "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [A
 static const struct argp_option OPTIONS[] = {
     {NULL, 0, NULL, 0, "Machine:", 1},
     {"nodes", 'n', "NODES", 0,
-     "Number of nodes; default 1. Other programs get the nodes behind them: -n 1 PROGRAM ARGS : -n 4 OTHER ARGS",
+     "Number of nodes; default 1. Other programs get the nodes behind them: -n 1 PROGRAM ARGS : -n 4 OTHER "
+     "ARGS",
      0},
     {"set", SET, "KEY=VALUE", 0,
      "Value for a key of the machine file, such as system.interrupt_us=150; may be repeated", 0},
