@@ -15,7 +15,7 @@ const char CLI_PROGRAM_ARGUMENTS[] = "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [A
 static const struct argp_option OPTIONS[] = {
     {NULL, 0, NULL, 0, "Machine:", 1},
     {"nodes", 'n', "NODES", 0,
-     "Number of nodes; default 1. Other programs get the nodes behind them: -n 1 PROGRAM ARGS : -n 4 OTHER "
+     "Number of nodes; default 1. Other programs get the nodes after them: -n 1 PROGRAM ARGS : -n 4 OTHER "
      "ARGS",
      0},
     {"set", SET, "KEY=VALUE", 0,
