@@ -356,6 +356,22 @@ void checking::tell(gimple *stmt, tree ref, bool write, told_list &told)
                asan_code_access(e.object, e.shift, bytes, race_site(stmt, name, bytes, flags)), false);
 }
 
+/* Tells, where a goto out of a nested function comes to, that functions have been left. */
+void tell_jumps(function *f)
+{
+    basic_block bb;
+    FOR_EACH_BB_FN (bb, f) {
+        gimple_stmt_iterator gsi = gsi_start_bb(bb);
+        glabel *label = gsi_end_p(gsi) ? NULL : dyn_cast<glabel *>(gsi_stmt(gsi));
+        if (!label || !DECL_NONLOCAL(gimple_label_label(label)))
+            continue;
+        gsi = gsi_after_labels(bb);
+        gsi_insert_before(&gsi,
+                          race_code_range(null_pointer_node, build_int_cst(ssizetype, NXC_RACE_JUMPED), 0),
+                          GSI_SAME_STMT);
+    }
+}
+
 /* Locals get their zones last: what is told makes some of them variables in memory. GCC would take the frame
  * from a function that calls nobody, and the stack of a report would lack the caller. GCC keeps the frame of
  * a function that may move its stack pointer. */
@@ -363,6 +379,7 @@ void checking::run()
 {
     race_address_note();
     tell_blocks();
+    tell_jumps(fun);
     asan_locals_protect(fun);
     fun->calls_alloca = 1;
 }

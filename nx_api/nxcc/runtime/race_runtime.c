@@ -44,6 +44,10 @@ void nxc_race_tell_bytes(const void *address, int64_t bytes, const struct nxc_ra
         nx_race_array(address, site);
         return;
     }
+    if (bytes == NXC_RACE_JUMPED) {
+        nxc_race_range(NULL, 0, NULL);
+        return;
+    }
     if (bytes == NXC_RACE_STRING)
         bytes = (int64_t)strlen(address) + 1;
     else if (bytes & NXC_RACE_PART)

@@ -6,6 +6,7 @@
 /* Numbers of bytes of a range that mean something else. */
 #define NXC_RACE_STRING (-1)      /* the string at the address with its 0 */
 #define NXC_RACE_ARRAY (-2)       /* the Fortran array whose descriptor is at the address */
+#define NXC_RACE_JUMPED (-3)      /* none: a goto has left functions, with their variables */
 #define NXC_RACE_PART (1ll << 62) /* added to a number: at most so many bytes of the string */
 
 struct nxc_race_site;
