@@ -4,6 +4,7 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
+#include "guest/source_line.h"
 #include "kernel/xalloc.h"
 
 /* Of C++'s library, which the simulator's Boost brings along: NULL if the name is none of C++'s; else
@@ -12,7 +13,7 @@ char *__cxa_demangle(const char *name, char *to, size_t *room, int *status);
 
 struct function {
     const Elf64_Sym *s;
-    _Atomic(char *) name; /* as in the source of C++; NULL: not asked for yet, or as the symbol's */
+    _Atomic(char *) name; /* as in the source of C++ or Fortran; NULL: not asked for yet, or the symbol's */
 };
 
 struct elf_functions {
@@ -76,15 +77,44 @@ static void drop_parameters(char *name)
         memmove(begin, end + 1, strlen(end));
 }
 
-static const char *name_of(struct function *e, const char *symbol)
+static char *name_of_cplusplus(const char *symbol)
+{
+    int status;
+    char *name = __cxa_demangle(symbol, NULL, NULL, &status);
+    if (name)
+        drop_parameters(name);
+    return name;
+}
+
+/* Has gfortran made the symbol, of so many characters, of the name: step_ of step, __heat_MOD_step? */
+static bool is_made_of(const char *symbol, size_t length, const char *name)
+{
+    const char *module = strstr(symbol, "_MOD_");
+    size_t size = strlen(name);
+    if (module && module < symbol + length)
+        return symbol + length - (module + 5) == (ptrdiff_t)size && !strncmp(module + 5, name, size);
+    return length > size && !strncmp(symbol, name, size) && strspn(symbol + size, "_") == length - size;
+}
+
+/* A symbol that Fortran's compiler may have made is looked up in the debugging information: C may have such
+ * names, too. What GCC has put behind it ("step_.constprop.0") stays. */
+static char *name_of_fortran(const struct elf_file *f, const Elf64_Sym *s, const char *symbol)
+{
+    size_t length = strcspn(symbol, ".");
+    bool may_be = f->debug && length > 1 && (symbol[length - 1] == '_' || strstr(symbol, "_MOD_"));
+    char *name = may_be ? source_function(f->bytes, f->size, s->st_value) : NULL, *made = NULL;
+    if (name)
+        made = is_made_of(symbol, length, name) ? xasprintf("%s%s", name, symbol + length) : xstrdup(symbol);
+    free(name);
+    return made;
+}
+
+static const char *name_of(const struct elf_file *f, struct function *e, const char *symbol)
 {
     char *name = atomic_load(&e->name), *made;
-    int status;
-    if (name || strncmp(symbol, "_Z", 2) != 0)
-        return name ? name : symbol;
-    made = __cxa_demangle(symbol, NULL, NULL, &status);
-    if (made)
-        drop_parameters(made);
+    if (name)
+        return name;
+    made = strncmp(symbol, "_Z", 2) ? name_of_fortran(f, e->s, symbol) : name_of_cplusplus(symbol);
     if (!made || atomic_compare_exchange_strong(&e->name, &name, made))
         return made ? made : symbol;
     free(made);
@@ -124,6 +154,6 @@ const Elf64_Sym *elf_function_at(const struct elf_file *f, uint64_t vaddr, const
     }
     if (!found)
         return NULL;
-    *name = name_of(found, elf_name(t, found->s));
+    *name = name_of(f, found, elf_name(t, found->s));
     return found->s;
 }

@@ -12,7 +12,8 @@ struct question {
     size_t bytes;
     Dwarf_Addr address;
     struct source_frame *frames; /* the answer, */
-    size_t most, count;          /* so many */
+    size_t most, count;          /* so many; most 0: the function is asked for, */
+    char *function;              /* and this is the answer */
 };
 
 /* Every compiled unit is asked whether it contains the address, since an index by address (.debug_aranges)
@@ -61,11 +62,25 @@ static void add_callers(struct question *q, Dwarf_Die *unit)
     free(outwards);
 }
 
+/* Names the function if the address is of its code. */
+static int look_at_function(Dwarf_Die *function, void *question)
+{
+    struct question *q = question;
+    if (dwarf_haspc(function, q->address) <= 0)
+        return DWARF_CB_OK;
+    const char *name = dwarf_diename(function);
+    q->function = name ? xstrdup(name) : NULL;
+    return DWARF_CB_ABORT;
+}
+
 static void ask_dwarf(Dwarf *dwarf, struct question *q)
 {
     Dwarf_Die unit;
     int line;
-    Dwarf_Line *row = unit_of(dwarf, q->address, &unit) ? dwarf_getsrc_die(&unit, q->address) : NULL;
+    bool known = unit_of(dwarf, q->address, &unit);
+    if (known && !q->most)
+        dwarf_getfuncs(&unit, look_at_function, q, 0); /* also in modules of Fortran's */
+    Dwarf_Line *row = known && q->most ? dwarf_getsrc_die(&unit, q->address) : NULL;
     const char *path = row ? dwarf_linesrc(row, NULL, NULL) : NULL;
     if (!path || dwarf_lineno(row, &line) != 0 || line <= 0)
         return;
@@ -88,15 +103,14 @@ static void *ask(void *arg)
 }
 
 /* Asks libdw on a thread of its own: libdw takes more stack than a node may have left. */
-static size_t ask_apart(const void *file, size_t bytes, uint64_t address, struct source_frame *frames,
-                        size_t most)
+static struct question ask_apart(const void *file, size_t bytes, uint64_t address,
+                                 struct source_frame *frames, size_t most)
 {
-    struct question q = {(void *)(uintptr_t)file, bytes, address, frames, most, 0};
+    struct question q = {(void *)(uintptr_t)file, bytes, address, frames, most, 0, NULL};
     pthread_t thread;
-    if (pthread_create(&thread, NULL, ask, &q) != 0)
-        return 0;
-    pthread_join(thread, NULL);
-    return q.count;
+    if (pthread_create(&thread, NULL, ask, &q) == 0)
+        pthread_join(thread, NULL);
+    return q;
 }
 
 char *source_line(const void *file, size_t bytes, uint64_t address, int *line)
@@ -107,8 +121,13 @@ char *source_line(const void *file, size_t bytes, uint64_t address, int *line)
     return frame.path;
 }
 
+char *source_function(const void *file, size_t bytes, uint64_t address)
+{
+    return ask_apart(file, bytes, address, NULL, 0).function;
+}
+
 size_t source_frames(const void *file, size_t bytes, uint64_t address,
                      struct source_frame frames[SOURCE_MOST_FRAMES])
 {
-    return ask_apart(file, bytes, address, frames, SOURCE_MOST_FRAMES);
+    return ask_apart(file, bytes, address, frames, SOURCE_MOST_FRAMES).count;
 }

@@ -11,6 +11,10 @@
  * however small. */
 char *source_line(const void *file, size_t bytes, uint64_t address, int *line);
 
+/* What the source calls the function around the address, malloc'd: "step" of a Fortran program, whose symbol
+ * is step_. NULL: the file does not say. */
+char *source_function(const void *file, size_t bytes, uint64_t address);
+
 enum { SOURCE_MOST_FRAMES = 16 };
 
 struct source_frame {

@@ -109,6 +109,29 @@ run -n 1 owner
 check "owner: a program may have routines by the names of calls" \
     prints ' flick           1\n load this           2\n gray        1005\n'
 
+cat >called.f90 <<'END'
+module heat
+contains
+  subroutine step(a)
+    integer a(10)
+    call crecv(5, a, 40)
+  end subroutine
+end module
+subroutine all_steps(a)
+  use heat
+  integer a(10)
+  call step(a)
+end subroutine
+program main
+  integer a(10)
+  call all_steps(a)
+end program
+END
+check "called: compiles" nxf77 -O0 -g -o called called.f90
+run -n 1 called
+check "called: routines have their own names in reports" \
+    said 'in step\(\) at called.f90:5, called from all_steps\(\) at called.f90:11, called from MAIN__\(\) at called.f90:15'
+
 # --- arguments of NX's calls
 cat >few.f <<'END'
       program few
