@@ -169,16 +169,18 @@ const char *backtrace_called(const struct node *n, uintptr_t returns)
 
 /* --- lines --- */
 
-enum { MOST_LINES = 64 };
+enum { BUCKETS = 64 };
+
+struct found {
+    struct found *next;
+    const struct node_image *file;
+    uintptr_t offset;
+    char text[100];    /* "": not known, or in NX's library */
+    char outside[100]; /* of the program's message layer, if functions are inlined; "": nothing is */
+};
 
 struct backtrace_lines {
-    struct found {
-        const struct node_image *file;
-        uintptr_t offset;
-        char text[100];    /* "": not known, or in NX's library */
-        char outside[100]; /* of the program's message layer, if functions are inlined; "": nothing is */
-    } found[MOST_LINES];
-    int count;
+    struct found *bucket[BUCKETS];
 };
 
 struct backtrace_lines *backtrace_lines_new(void)
@@ -188,25 +190,28 @@ struct backtrace_lines *backtrace_lines_new(void)
 
 void backtrace_lines_free(struct backtrace_lines *t)
 {
+    for (int i = 0; t && i < BUCKETS; i++)
+        for (struct found *f = t->bucket[i], *next; f; f = next) {
+            next = f->next;
+            free(f);
+        }
     free(t);
 }
 
-/* NULL: there is no room for more. */
 static const struct found *found_at(struct backtrace_lines *t, const struct node_image *file,
                                     uintptr_t offset)
 {
-    for (int i = 0; i < t->count; i++)
-        if (t->found[i].file == file && t->found[i].offset == offset)
-            return &t->found[i];
-    if (t->count == MOST_LINES)
-        return NULL;
-    struct found *f = &t->found[t->count++];
-    *f = (struct found){.file = file, .offset = offset};
+    struct found **first = &t->bucket[offset % BUCKETS];
+    for (struct found *f = *first; f; f = f->next)
+        if (f->file == file && f->offset == offset)
+            return f;
+    struct found *f = xcalloc(1, sizeof *f);
+    *f = (struct found){.next = *first, .file = file, .offset = offset};
     if (!node_image_line(file, offset, f->text, sizeof f->text))
         f->text[0] = '\0';
     if (!node_image_line_outside(file, offset, f->outside, sizeof f->outside))
         f->outside[0] = '\0';
-    return f;
+    return *first = f;
 }
 
 /* NULL: the line is not known, or is in NX's library. */
@@ -215,7 +220,7 @@ static const struct found *line_at(struct backtrace_lines *t, const struct node 
     if (!backtrace_in_program(n, address - 1))
         return NULL;
     const struct found *f = found_at(t, n->guest.file, address - 1 - (uintptr_t)n->guest.program);
-    return f && *f->text ? f : NULL;
+    return *f->text ? f : NULL;
 }
 
 const char *backtrace_line_at(struct backtrace_lines *t, const struct node *n, uintptr_t address)

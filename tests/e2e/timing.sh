@@ -33,6 +33,16 @@ check "bounds of 0 give the usual timing" cmp <(figures none.json) <(figures usu
 run -q -n 4 --timing 4,messages=1ns,interrupts=0,speed=0%,start=0 --history tie first_comes
 check "a delay of a nanosecond breaks ties" test "$(head -3 tie | cut -d' ' -f2 | tr -d '\n')" != 123
 
+# Each receive's line is recorded, of however many.
+{
+    printf '#include <nx.h>\nint main(void)\n{\n    long x = mynode();\n'
+    for ((i = 0; i < 90; i++)); do printf '    x ? csend(1, &x, sizeof x, 0, 0)\n      : crecv(1, &x, sizeof x), x = mynode();\n'; done
+    printf '    return 0;\n}\n'
+} >lines.c
+"$BUILD/nxcc" -g -O0 -w -o lines lines.c
+run -q -n 2 --record lines.schedule lines
+check "--record: 90 receives in 90 lines" test "$(grep -o '^match 0 .* line=lines.c:.*' lines.schedule | sed 's/.*line=//' | sort -u | wc -l)" = 90
+
 # When node 3 has sent its first message, in a run with such a line.
 sends() { # LINE
     printf 'touchstone-schedule 1\nnodes 4\n%s\n' "$1" >one
