@@ -503,7 +503,8 @@ struct ending {
 };
 
 /* Runs the machine and reports; returns the exit status. */
-static int run_machine(const struct arguments *a, const struct machine_options *o, struct ending *end)
+static int run_machine(const struct arguments *a, const struct machine_options *o, struct run_files *files,
+                       struct ending *end)
 {
     char *error = NULL;
     int status;
@@ -522,6 +523,7 @@ static int run_machine(const struct arguments *a, const struct machine_options *
         warn_of_other_costs(m, o, a->quiet);
         warn_of_other_program(m, a->plan);
         refuse_system_calls(a);
+        run_files_replace(files);
         machine_run(m);
         end->has_run = true;
         status = report_with_races(m, suppressed, a);
@@ -561,7 +563,7 @@ static int run_with_files(const struct arguments *a, struct machine_options *o)
     if (!results_possible(a, &error) || (error = run_files_begin(&files, a->history, a->timing.record)))
         return output_error(error);
     o->history = files.history.out, o->schedule = files.schedule.out;
-    int status = run_machine(a, o, &end);
+    int status = run_machine(a, o, &files, &end);
     if (!end.has_run)
         run_files_drop(&files);
     else if ((error = run_files_end(&files)))

@@ -8,7 +8,7 @@ static char *begin(struct atomic_file *f, const char *path)
     if (!path)
         return NULL;
     atomic_file_remove_left(path);
-    atomic_file_begin(f, path, &error);
+    atomic_file_reserve(f, path, &error);
     return error;
 }
 
@@ -36,6 +36,14 @@ char *run_files_begin(struct run_files *f, const char *history, const char *sche
     if (error)
         drop(&f->history);
     return error;
+}
+
+void run_files_replace(struct run_files *f)
+{
+    if (f->history.out)
+        atomic_file_replace(&f->history);
+    if (f->schedule.out)
+        atomic_file_replace(&f->schedule);
 }
 
 char *run_files_end(struct run_files *f)

@@ -137,14 +137,31 @@ void atomic_file_remove_left(const char *path)
     free(folder);
 }
 
-bool atomic_file_begin(struct atomic_file *f, const char *path, char **error)
+/* mode: of a file that is written through. */
+static bool begin(struct atomic_file *f, const char *path, const char *mode, char **error)
 {
     *f = (struct atomic_file){.path = xstrdup(path), .lock = -1};
     if (!strcmp(path, "-"))
         f->out = stdout;
     else
-        f->out = is_written_through(path) ? fopen(path, "we") : begin_unfinished(f);
+        f->out = is_written_through(path) ? fopen(path, mode) : begin_unfinished(f);
     return f->out || fail(f, errno, error);
+}
+
+bool atomic_file_begin(struct atomic_file *f, const char *path, char **error)
+{
+    return begin(f, path, "we", error);
+}
+
+bool atomic_file_reserve(struct atomic_file *f, const char *path, char **error)
+{
+    return begin(f, path, "ae", error);
+}
+
+void atomic_file_replace(struct atomic_file *f)
+{
+    if (!f->unfinished && f->out != stdout)
+        (void)!ftruncate(fileno(f->out), 0); /* pipes and devices have nothing to lose */
 }
 
 static bool close_all(struct atomic_file *f)

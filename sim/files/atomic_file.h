@@ -23,6 +23,10 @@ bool atomic_file_possible(const char *path, char **error);
 
 /* Opens f->out for writing. False with *error, a malloc'd text for the user. */
 bool atomic_file_begin(struct atomic_file *f, const char *path, char **error);
+/* As atomic_file_begin(), long before the first byte is written: what a symbolic link leads to stays as it is
+ * until atomic_file_replace(), which is to be called before that byte. */
+bool atomic_file_reserve(struct atomic_file *f, const char *path, char **error);
+void atomic_file_replace(struct atomic_file *f);
 /* Closes the file and, if all was written, gives it its name. False with *error malloc'd: nothing was left
  * behind. */
 bool atomic_file_end(struct atomic_file *f, char **error);

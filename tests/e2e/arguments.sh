@@ -105,6 +105,13 @@ wrong "a limit that is reached before the first picosecond" 1 "virtual time limi
 echo before >history
 wrong "no such file of suppressions" 65 'no_such_file' run -q --history history --suppress no_such_file ring
 check "the history of the run before stays" grep -q before history
+ln -s history link
+wrong "a link to a history, and no such file of suppressions" 65 'no_such_file' run -q --history link --suppress no_such_file ring
+check "what the link leads to stays" grep -q before history
+wrong "a link to a schedule, and a machine that has no room" 65 '' run -q --record link -n 100000 ring
+check "what the link leads to stays, too" grep -q before history
+run -q -n 2 --history link ring
+check "a run that begins writes it anew" test "$(grep -c ' ' history)" = "$(wc -l <history)" -a -s history -a -L link
 wrong "a full device" 74 '/dev/full cannot be written' run -q --json /dev/full --deadlock after_full ring
 check "the other result is written" grep -q null after_full
 
