@@ -111,6 +111,7 @@ static void failures_are_told_and_the_rest_goes_on(void **state)
     assert_false(end.all_done);
     assert_false(end.stopped);
     assert_string_equal(jobs[0].error, "exit status 3: first\nlast words");
+    assert_string_equal(jobs[0].err, "first\nlast words\n");
     assert_string_equal(jobs[1].error, "killed by signal 11 (Segmentation fault)");
     assert_string_equal(jobs[2].error,
                         "exit status 127: /no/such/program cannot be run: No such file or directory");
@@ -130,6 +131,7 @@ static void much_output_is_cut_and_does_not_block(void **state)
     assert_int_equal(strlen(job.out), POOL_MAX_OUT);
     assert_true(job.cut);
     assert_memory_equal(job.out, "abcdefg\n", 8);
+    assert_int_equal(strlen(job.err), POOL_MAX_ERR);
     assert_true(strlen(job.error) < POOL_MAX_ERR + 64);
     pool_clear(&job, 1);
 }

@@ -197,25 +197,27 @@ static bool keep_recording(struct doing *d, const struct task *t, json_t *record
     return good;
 }
 
-/* What the program wrote to standard error last, without what touchstone said of the failure. */
-static void set_stderr(json_t *record, const struct pool_job *job)
+/* Where in the text touchstone says why the run has failed; NULL: nowhere. */
+static const char *own_words(const char *text)
 {
     static const char own[] = "touchstone run: ";
-    const char *text = job->error ? strstr(job->error, ": ") : NULL, *at;
-    if (!text)
+    const char *at = text;
+    while ((at = strstr(at, own)) && at > text && at[-1] != '\n')
+        at++;
+    return at;
+}
+
+/* What the program wrote to standard error last, without what touchstone said of the failure. (A report so
+ * long that its beginning is lost is all that is left.) */
+static void set_stderr(json_t *record, const struct pool_job *job)
+{
+    const char *text = job->err ? job->err : "", *own = own_words(text);
+    size_t length = own ? (size_t)(own - text) : strlen(text);
+    if (!length || length == POOL_MAX_ERR)
         return;
-    text += 2;
-    size_t length = strlen(text);
-    for (at = text; (at = strstr(at, own)); at++)
-        if (at == text || at[-1] == '\n') {
-            length = (size_t)(at - text);
-            break;
-        }
-    if (length) {
-        char *said = xstrndup(text, length);
-        json_set(record, "stderr", json_text(said));
-        free(said);
-    }
+    char *said = xstrndup(text, length);
+    json_set(record, "stderr", json_text(said));
+    free(said);
 }
 
 static json_t *record_of(struct doing *d, const struct task *t, enum journal_line_state *state)

@@ -235,14 +235,13 @@ static void end_child(struct pool *p, struct child *c, int status)
     struct pool_job *job = c->job;
     job->out = close_stream(&c->out);
     job->cut = c->out.cut;
-    char *err = close_stream(&c->err);
+    job->err = close_stream(&c->err);
     job->wall_time_s = hostclock_s() - c->started_s;
-    char *error = describe_end(c, status, err);
+    char *error = describe_end(c, status, job->err);
     job->stopped = error && (p->stopped || by_hand(status));
     c->pid = 0;
     p->running--;
     finish(p, job, error);
-    free(err);
 }
 
 static void on_child(evutil_socket_t signal, short what, void *arg)
@@ -396,7 +395,7 @@ struct pool_end pool_run(struct pool_job jobs[], size_t count, unsigned at_once,
         l.order[i] = &jobs[i];
         l.weight_all += jobs[i].weight;
         jobs[i].state = POOL_WAITING;
-        jobs[i].out = jobs[i].error = NULL;
+        jobs[i].out = jobs[i].err = jobs[i].error = NULL;
     }
     qsort(l.order, count, sizeof *l.order, longer_first);
     struct pool_end end = pool_run_from(&source, count && count < at_once ? (unsigned)count : at_once);
@@ -409,7 +408,8 @@ void pool_clear(struct pool_job jobs[], size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         free(jobs[i].out);
+        free(jobs[i].err);
         free(jobs[i].error);
-        jobs[i].out = jobs[i].error = NULL;
+        jobs[i].out = jobs[i].err = jobs[i].error = NULL;
     }
 }

@@ -29,12 +29,13 @@ struct pool_job {
     double limit_s;    /* of host time, after which the child is killed; 0: none */
     bool stop;         /* may be set while it runs: the child is killed within a second */
 
-    /* Filled in by pool_run(); text is freed by pool_clear(). */
+    /* Filled in by pool_run(); text is freed by pool_clear(); out and err are NULL if it was not started. */
     enum pool_state state;
     bool stopped; /* POOL_FAILED because of such a signal to the child or the parent, not by itself */
     char *out;    /* its standard output (at most POOL_MAX_OUT bytes), ended by '\0' */
     bool cut;     /* there was more */
-    char *error;  /* failed: how it ended and the last lines of its standard error */
+    char *err;    /* the last of its standard error (at most POOL_MAX_ERR bytes), ended by '\0' */
+    char *error;  /* failed: how it ended, and err */
     double wall_time_s;
 };
 enum { POOL_MAX_OUT = 64 << 20, POOL_MAX_ERR = 2048 };
