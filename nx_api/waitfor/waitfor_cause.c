@@ -120,7 +120,7 @@ static bool waits_for_ended(const struct waitfor *w, const struct waitfor_node *
         return some_ended;
     if (n->who == WAITFOR_ONE_NODE)
         return n->what != WAITFOR_END && !waitfor_lives(&w->nodes[n->whom]);
-    return n->who == WAITFOR_NOBODY && n->what == WAITFOR_MESSAGE;
+    return n->who == WAITFOR_NOBODY && n->what == WAITFOR_MESSAGE && !waitfor_lacks_host(w, n);
 }
 
 /* In a collective of MPI's, is the awaited rank still to come to the collective, or to the step that its

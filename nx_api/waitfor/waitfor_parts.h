@@ -61,6 +61,8 @@ static inline bool waitfor_lives(const struct waitfor_node *n)
 {
     return n->state == WAITFOR_WAITS || n->state == WAITFOR_COMPUTES;
 }
+/* Does the node wait for a message of the host, whose number is that of the nodes, and there is none? */
+bool waitfor_lacks_host(const struct waitfor *w, const struct waitfor_node *n);
 /* What explains a node's wait for a message: the latest of those it has had; a receive under way that has it.
  * NULL: none. */
 const struct waitfor_taken *waitfor_taken_away(const struct waitfor_node *n);

@@ -22,13 +22,16 @@ bool waitfor_selects(const struct waitfor_select *s, long type, long from, long 
 /* A negative typesel is a set: bit i selects type i, bit 30 all from 30 on. */
 static void print_set(FILE *f, long typesel)
 {
-    const char *between = "";
-    fputs("one of the types ", f);
+    const char *between = "one of the types ";
+    bool any = false;
     for (int i = 0; i <= ABOVE_MASK; i++)
         if (typesel >> i & 1) {
             fprintf(f, "%s%d%s", between, i, i == ABOVE_MASK ? " and above" : "");
             between = ", ";
+            any = true;
         }
+    if (!any)
+        fputs("no type", f);
 }
 
 void waitfor_print_typesel(FILE *f, long typesel)

@@ -264,6 +264,10 @@ static void print_message_wait(FILE *f, const struct reasons *r, const struct wa
         return;
     }
     print_wanted(f, w, &n->select);
+    if (waitfor_lacks_host(w, n)) {
+        fputs(", which would be the host, and there is none.", f);
+        return;
+    }
     if (n->who != WAITFOR_ONE_NODE) {
         print_any(f, r, n);
         return;
@@ -471,6 +475,8 @@ static const char *remedy(const struct waitfor *w, const struct waitfor_node *n)
         return "All nodes have to call the global operations in the same order.";
     if (n->cause == WAITFOR_CYCLE && n->what == WAITFOR_END)
         return "One of the cycle has to end, or to send, without waiting for the others.";
+    if (waitfor_lacks_host(w, n))
+        return "Send from a node, or from a host program: touchstone run --host HOST PROGRAM";
     if (w->may_lack_host && could_be_hosts(n))
         return "A node has to send first, or a host program: touchstone run --host HOST PROGRAM";
     return TEXTS[n->cause];

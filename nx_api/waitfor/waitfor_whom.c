@@ -51,6 +51,11 @@ static void set(const struct waitfor *w, uint32_t living, struct waitfor_node *n
         set_any(w, living, n);
 }
 
+bool waitfor_lacks_host(const struct waitfor *w, const struct waitfor_node *n)
+{
+    return n->what == WAITFOR_MESSAGE && n->select.node >= (long)w->count;
+}
+
 void waitfor_find_whom(struct waitfor *w)
 {
     uint32_t living = 0;

@@ -232,6 +232,29 @@ static void a_message_of_a_type_outside_of_a_set(void **state)
     waitfor_free(w);
 }
 
+static void a_set_of_no_type(void **state)
+{
+    (void)state;
+    struct waitfor *w = waitfor_new(2);
+    receives(w, 0, INT32_MIN, WAITFOR_ANY), receives(w, 1, 7, WAITFOR_ANY);
+    waitfor_analyse(w);
+    assert_string_equal(w->nodes[0].why, "It waits for no type from any node; only node 1, which waits, "
+                                         "too, could send it.");
+    waitfor_free(w);
+}
+
+static void a_host_that_is_not_there(void **state)
+{
+    (void)state;
+    struct waitfor *w = waitfor_new(2);
+    receives(w, 0, 5, 2), ends(w, 1);
+    expect_text(w,
+                "  node 0: crecvx(5) since 0 s\n"
+                "    orphan: It waits for type 5 from node 2, which would be the host, and there is none.\n"
+                "    Send from a node, or from a host program: touchstone run --host HOST PROGRAM\n"
+                "  node 1: ended at 2 us");
+}
+
 static void a_message_from_another_node(void **state)
 {
     (void)state;
@@ -751,6 +774,8 @@ int main(void)
         cmocka_unit_test(one_waits_for_any_and_all_for_that),
         cmocka_unit_test(a_message_of_another_type),
         cmocka_unit_test(a_message_of_a_type_outside_of_a_set),
+        cmocka_unit_test(a_set_of_no_type),
+        cmocka_unit_test(a_host_that_is_not_there),
         cmocka_unit_test(a_message_from_another_node),
         cmocka_unit_test(a_message_of_another_process_type),
         cmocka_unit_test(messages_of_global_operations_are_not_told),
