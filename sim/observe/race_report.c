@@ -109,6 +109,13 @@ static int compare(const void *left, const void *right)
     return c ? c : (a->order > b->order) - (a->order < b->order);
 }
 
+/* Nodes are noted of each race, not of each finding: all of a large machine's may have found it. */
+static void note_nodes(struct race_report *r)
+{
+    r->on_node = xcalloc(r->nodes, sizeof *r->on_node);
+    r->on_node[r->first_number] = true;
+}
+
 static void add_instance(struct race_report *to, const struct race_report *r)
 {
     to->count += r->count;
@@ -116,9 +123,7 @@ static void add_instance(struct race_report *to, const struct race_report *r)
         to->side[i].reads |= r->side[i].reads;
         to->side[i].writes |= r->side[i].writes;
     }
-    for (size_t i = 0; i < to->nodes; i++)
-        to->on_node[i] |= r->on_node[i];
-    free(r->on_node);
+    to->on_node[r->first_number] = true;
 }
 
 /* The list is sorted. Returns how many are left. */
@@ -129,7 +134,7 @@ static size_t merge(struct race_report *list, size_t count)
         if (left && compare_races(&list[left - 1], &list[i]) == 0)
             add_instance(&list[left - 1], &list[i]);
         else
-            list[left++] = list[i];
+            list[left] = list[i], note_nodes(&list[left++]);
     return left;
 }
 
@@ -205,9 +210,7 @@ static void add_node(struct race_reports *t, const struct node_races *r, size_t 
     for (uint32_t i = 1; i < f->count; i++) {
         struct race_report *new = &t->list[t->count];
         *new = report_of(t->texts, r, &f->list[i], nodes);
-        new->order = t->count++;
-        new->on_node = xcalloc(nodes, sizeof *new->on_node);
-        new->on_node[r->number] = true;
+        new->first_number = r->number, new->order = t->count++;
     }
 }
 

@@ -43,6 +43,7 @@ struct race_report {
     uint64_t count;                  /* instances, on all nodes */
     bool *on_node;                   /* by number + 1; 0: the host */
     size_t nodes;                    /* length of on_node */
+    uint32_t first_number;           /* of on_node: that of `node` */
     size_t order;                    /* in which it was collected */
 };
 
