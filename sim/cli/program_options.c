@@ -8,7 +8,8 @@
 #include "files/program_file.h"
 #include "kernel/xalloc.h"
 
-enum { SET = CLI_KEY + 0x2000, MAX_VIRTUAL, MAX_WALL };
+enum { SET = CLI_KEY + 0x2000, MAX_VIRTUAL, MAX_WALL, MAX_UNRECEIVED };
+enum { MOST_UNRECEIVED_MB = 1 << 20 };
 
 const char CLI_PROGRAM_ARGUMENTS[] = "PROGRAM [ARGS...]\n--host=HOST [PROGRAM [ARGS...]]";
 
@@ -25,6 +26,10 @@ static const struct argp_option OPTIONS[] = {
     {NULL, 0, NULL, 0, "Limits of a run:", 3},
     {"max-virtual-time", MAX_VIRTUAL, "S", 0, "Stop when a node passes S seconds of virtual time", 0},
     {"max-wall-time", MAX_WALL, "S", 0, "Stop after S seconds of real time", 0},
+    {"max-unreceived", MAX_UNRECEIVED, "MB", 0,
+     "Stop when messages that no receive takes fill so much of a node; default 4 times its memory, at most "
+     "4096",
+     0},
     {0}};
 
 void cli_add_setting(struct argp_state *state, const char **set, size_t *count, const char *setting)
@@ -111,6 +116,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         p->max_virtual_s = cli_seconds(state, "--max-virtual-time", arg);
     else if (key == MAX_WALL)
         p->max_wall_s = cli_seconds(state, "--max-wall-time", arg);
+    else if (key == MAX_UNRECEIVED)
+        p->max_unreceived_mb =
+            cli_whole(state, "--max-unreceived", "a number of MB", MOST_UNRECEIVED_MB, arg);
     else if (key == ARGP_KEY_ARGS)
         take_program(state, p);
     else if (key == ARGP_KEY_END)

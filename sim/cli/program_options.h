@@ -12,6 +12,7 @@ struct cli_program {
     const char **set;           /* KEY=VALUE, ended by NULL; the caller frees the list */
     size_t set_count;
     double max_virtual_s, max_wall_s; /* 0: not said */
+    uint32_t max_unreceived_mb;       /* 0: not said */
     char **program;                   /* with its arguments; without a host, there is one */
     int program_count, first_count;   /* first: up to other programs */
     /* Without a host: other programs, on the nodes after the program's, as `-n 1 PROGRAM : -n 4 OTHER` names
@@ -22,8 +23,8 @@ struct cli_program {
     size_t found_count;
 };
 
-/* -m, -n, --set, --host, --max-virtual-time, --max-wall-time, and the program with its arguments; input:
- * struct cli_program *. Groups of its help: 1 machine, 3 limits. */
+/* -m, -n, --set, --host, --max-virtual-time, --max-wall-time, --max-unreceived, and the program with its
+ * arguments; input: struct cli_program *. Groups of its help: 1 machine, 3 limits. */
 extern const struct argp CLI_PROGRAM;
 /* How such a command is called: struct argp's args_doc. */
 extern const char CLI_PROGRAM_ARGUMENTS[];

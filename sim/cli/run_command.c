@@ -37,13 +37,12 @@
 
 enum { EXIT_FINDINGS = 3 };
 
-enum { SLICE = CLI_KEY, SHUFFLE, TRACE_FROM, TRACE_TO, TRACE_NODES, GDB, AT, LAYER, UNRECEIVED };
-enum { MOST_UNRECEIVED_MB = 1 << 20 };
+enum { SLICE = CLI_KEY, SHUFFLE, TRACE_FROM, TRACE_TO, TRACE_NODES, GDB, AT, LAYER };
 
 struct arguments {
     struct cli_program what;
     const char *json, *deadlock, *races, *sarif, *suppress, *profile, *history, *cfs, *engine;
-    uint32_t workers, shuffle, unreceived_mb;
+    uint32_t workers, shuffle;
     double slice_s;
     bool quiet, verbose, isolate, mpi_checks, sensitivity;
     struct run_trace_options trace; /* path NULL: no trace */
@@ -93,10 +92,6 @@ static const struct argp_option OPTIONS[] = {
     {"quiet", 'q', NULL, 0, "No summary", 0},
     {"verbose", 'v', NULL, 0,
      "Add to the summary what the simulator's threads did, and where the program was found", 0},
-    {"max-unreceived", UNRECEIVED, "MB", 0,
-     "Stop when messages that no receive takes fill so much of a node; default 4 times its memory, at most "
-     "4096",
-     3},
     {NULL, 0, NULL, 0, "Debugger (gdb --args touchstone run ... works, too):", 5},
     {"gdb", GDB, "NODE", 0, "Start gdb, and stop at the beginning of main on NODE, a number or 'host'", 0},
     {"at", AT, "TIME", 0, "With --gdb: stop at the virtual time TIME instead, such as 1.5s, 12ms, 3us", 0},
@@ -275,8 +270,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         a->workers = cli_whole(state, "-w", "a number of threads", CLI_MOST_WORKERS, arg);
     else if (key == SHUFFLE)
         a->shuffle = cli_whole(state, "--shuffle", "a seed", UINT32_MAX, arg);
-    else if (key == UNRECEIVED)
-        a->unreceived_mb = cli_whole(state, "--max-unreceived", "a number of MB", MOST_UNRECEIVED_MB, arg);
     else if (key == SLICE)
         a->slice_s = cli_seconds(state, "--slice", arg);
     else if (key == TRACE_FROM)
@@ -441,7 +434,7 @@ static struct machine_options options_of(struct arguments *a, const struct cfg_m
                                 .envp = environ,
                                 .max_virtual_s = a->what.max_virtual_s,
                                 .max_wall_s = a->what.max_wall_s,
-                                .max_unreceived = (size_t)a->unreceived_mb << 20,
+                                .max_unreceived = (size_t)a->what.max_unreceived_mb << 20,
                                 .slice_s = a->slice_s,
                                 .workers = cli_workers(a->workers),
                                 .shuffle = a->shuffle,

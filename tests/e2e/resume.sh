@@ -133,6 +133,9 @@ END
 study limits.cfg -o limits
 check "a limit ends a point" grep -qE 'endless 1: exit status 1: .*virtual' err
 check "and no other" grep -q '^2 points, 1 failed' out
+sed 's/^max_virtual_s.*/max_unreceived_mb = 0;/' limits.cfg >none.cfg
+study none.cfg -o none
+check "max_unreceived_mb is a number of MB" grep -q 'none.cfg:4: max_unreceived_mb' err
 
 # The cache, without what others have put there.
 rm -rf cache

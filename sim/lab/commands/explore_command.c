@@ -236,6 +236,7 @@ static int explore_with(struct arguments *a, const regex_t *same)
                                             .more_count = a->what.more_count,
                                             .nodes = a->what.nodes,
                                             .max_virtual_s = a->what.max_virtual_s,
+                                            .max_unreceived_mb = a->what.max_unreceived_mb,
                                             .rules = rules,
                                             .compare_file = a->same_file,
                                             .input = a->input,

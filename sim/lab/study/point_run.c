@@ -1,5 +1,6 @@
 /* point_run.c - see point_run.h. */
 #include "lab/study/point_run.h"
+#include <inttypes.h>
 #include <stdlib.h>
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
@@ -38,6 +39,8 @@ char **point_run_argv(const struct spec *spec, const struct inputs *inputs, cons
         add_option(&argv, "--max-virtual-time", xasprintf("%.15g", spec->max_virtual_s));
     if (spec->max_wall_s > 0)
         add_option(&argv, "--max-wall-time", xasprintf("%.15g", spec->max_wall_s));
+    if (spec->max_unreceived_mb)
+        add_option(&argv, "--max-unreceived", xasprintf("%" PRIu64, spec->max_unreceived_mb));
     add_list(&argv, "--set", inputs_settings(inputs, p));
     for (const char **input = spec->inputs; *input; input++)
         add_option(&argv, "--host-files", xasprintf("%s:ro", *input));

@@ -13,7 +13,7 @@
  *     only = ( "group <= nodes" );
  *     cost = "nodes";                    # how long a point takes, in any unit; the longest start first
  *     baseline = ( "group=8" );          # of speed-ups (lab/chart/speedup.h)
- *     max_wall_s = 60.0;  max_virtual_s = 100.0;
+ *     max_wall_s = 60.0;  max_virtual_s = 100.0;  max_unreceived_mb = 256;
  *     pictures = ( { file = "time"; x = "group"; y = "total_s"; lines = "output"; panels = "nodes";
  *                    ranges = "own"; },
  *                  { file = "gain"; x = "group"; y = "total_s"; ratio = "output"; panels = "nodes"; } );
@@ -69,6 +69,7 @@ struct spec {
     const char **inputs;              /* files, ended by NULL */
     const char **baseline;            /* texts AXIS=VALUE or AXIS, ended by NULL; NULL if not given */
     double max_wall_s, max_virtual_s; /* limits of each run; 0: none */
+    uint64_t max_unreceived_mb;       /* as run --max-unreceived; 0: the usual */
     bool profile;                     /* each run has a profile by function */
     struct picture *pictures;
     size_t picture_count;

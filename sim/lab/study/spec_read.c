@@ -95,6 +95,12 @@ static bool read_limit(struct cfg_reader *r, const char *key, double *limit)
     return !config_setting_get_member(r->root, key) || cfg_number(r, r->root, key, 1e-9, 1e9, limit);
 }
 
+static bool read_unreceived(struct cfg_reader *r, struct spec *s)
+{
+    return !config_setting_get_member(r->root, "max_unreceived_mb") ||
+           cfg_whole(r, r->root, "max_unreceived_mb", 1, 1 << 20, &s->max_unreceived_mb);
+}
+
 static bool read_cost(struct cfg_reader *r, struct spec *s)
 {
     const char *text;
@@ -132,14 +138,15 @@ static bool read_nodes_and_machine(struct cfg_reader *r, struct spec *s)
 static bool read_spec(struct cfg_reader *r, struct spec *s)
 {
     static const char *const keys[] = {
-        "title", "about",    "program",    "machine",       "nodes",   "arguments", "inputs", "axes", "only",
-        "cost",  "baseline", "max_wall_s", "max_virtual_s", "profile", "pictures",  "fit",    NULL};
+        "title",   "about",    "program", "machine",  "nodes",      "arguments",     "inputs",
+        "axes",    "only",     "cost",    "baseline", "max_wall_s", "max_virtual_s", "max_unreceived_mb",
+        "profile", "pictures", "fit",     NULL};
     return cfg_only(r, r->root, keys) && cfg_text(r, r->root, "program", &s->program) &&
            spec_optional(r, r->root, "title", &s->title) && spec_optional(r, r->root, "about", &s->about) &&
            spec_optional(r, r->root, "arguments", &s->arguments) && read_inputs(r, s) &&
            spec_read_axes(r, s) && read_nodes_and_machine(r, s) && read_only(r, s) && read_cost(r, s) &&
            read_baseline(r, s) && read_limit(r, "max_wall_s", &s->max_wall_s) &&
-           read_limit(r, "max_virtual_s", &s->max_virtual_s) && read_profile(r, s) &&
+           read_limit(r, "max_virtual_s", &s->max_virtual_s) && read_unreceived(r, s) && read_profile(r, s) &&
            spec_read_pictures(r, s);
 }
 
