@@ -103,6 +103,54 @@ check "a program that fails: what it wrote to standard error" eval \
 check "and that alone" test "$(figure strict.json "d['outcomes'][1]['stderr']")" = "node 2 came first"
 check "nothing of a run that ended" test "$(figure strict.json "'stderr' in d['outcomes'][0]")" = False
 
+# --- a program that goes on for ever in another order: the command ends where the run did ---
+cat >polls.c <<'END'
+#include <nx.h>
+int main(void)
+{
+    long x = mynode();
+    if (x) {
+        csend(1, &x, sizeof x, 0, 0);
+        return 0;
+    }
+    crecv(1, &x, sizeof x);
+    while (x == 2)
+        iprobe(7);
+    crecv(1, &x, sizeof x);
+    return 0;
+}
+END
+build polls.c polls
+explore of/polls -n 3 --runs 30 --json polls.json polls
+repeat=$(figure polls.json "d['outcomes'][1]['repeat']")
+limited bash -c "${repeat/#touchstone/\"$BUILD/touchstone\"}" >again 2>again.err
+check "a run that comes to the limit is repeated up to there" grep -qE '^touchstone run: virtual time limit of 1\.[0-9]+ s' again.err
+
+# --- sets of types: receives of large types are directed, too ---
+cat >set.c <<'END'
+#include <limits.h>
+#include <nx.h>
+#include <stdio.h>
+int main(void)
+{
+    long x = mynode();
+    if (x) {
+        csend(1000 + x, &x, sizeof x, 0, 0);
+        return 0;
+    }
+    for (int i = 1; i < numnodes(); i++) {
+        crecv(INT_MIN + (1L << 30), &x, sizeof x);
+        printf("%ld\n", x);
+    }
+    return 0;
+}
+END
+build set.c set
+explore of/set -n 4 --runs 30 --json set.json set
+check "receives that select a set are directed" test "$(figure set.json "d['directed'] > 0")" = True
+explore of/flooded -n 4 --runs 1 --max-unreceived 1 --json flooded.json set
+check "--max-unreceived is each run's" test "$(figure flooded.json "d['outcomes'][0]['repeat']" | grep -c -- '--max-unreceived 1 ')" = 1
+
 # --- the command that repeats a run lets it use the same files ---
 cat >seed.c <<'END'
 #include <nx.h>

@@ -182,10 +182,17 @@ static void find_divergence(const struct explore *x, struct explained *e, const 
     recording_free(other);
 }
 
+char *explore_command(const struct explore *x, size_t outcome, const char *timing, const char *replay)
+{
+    const json_t *time = json_object_get(x->search.outcomes[outcome].record, "virtual_time_s");
+    return subject_command_text(x->subject, timing, replay,
+                                subject_is_limited(x->subject, json_number_value(time)));
+}
+
 /* The head of DIR/NAME.schedule: the outcome, the command, the delays in words. */
 static char *comment_of(const struct explore *x, const struct explained *e, const char *path)
 {
-    char *command = subject_command_text(x->subject, NULL, path);
+    char *command = explore_command(x, (size_t)(e - x->explained), NULL, path);
     char *text = xasprintf("# %s of the exploration %s\n# %s\n", e->name, x->options.dir, command);
     for (size_t i = 0; i < e->least.delays.count && i < 20; i++) {
         char *words = delay_words(&e->least.delays.list[i], x->search.base_nodes);

@@ -60,6 +60,9 @@ extern const char EXPLORE_TIMES_HINT[];
 /* After explore_run(): did the program end well with the usual timing? */
 bool explore_usual_ended(const struct explore *x);
 
+/* The command that repeats a run of the outcome, in the current folder; malloc'd. */
+char *explore_command(const struct explore *x, size_t outcome, const char *timing, const char *replay);
+
 /* Does this process write the report? One of a session does. */
 bool explore_reports(struct explore *x);
 #endif

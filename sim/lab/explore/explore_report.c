@@ -25,7 +25,7 @@ static const char *plural(size_t count)
 char *explore_repeat(const struct explore *x, const struct explored *run)
 {
     char *file = run->schedule ? batch_recording(&x->place, run->key) : NULL;
-    char *command = subject_command_text(x->subject, run->timing, file);
+    char *command = explore_command(x, run->outcome, run->timing, file);
     free(file);
     return command;
 }
@@ -116,7 +116,7 @@ static void print_delays(const struct explore *x, const struct explained *e, FIL
     if (d->count > MOST_DELAYS)
         fprintf(out, "       ...\n");
     char *file = xasprintf("%s/%s.schedule", x->options.dir, e->name);
-    char *command = subject_command_text(x->subject, NULL, file);
+    char *command = explore_command(x, (size_t)(e - x->explained), NULL, file);
     fprintf(out, "       %s\n", command);
     free(command);
     free(file);
@@ -224,9 +224,9 @@ static void print_outcomes(const struct explore *x, FILE *out)
     if (alike > 1)
         fprintf(
             out,
-            "\n  and %zu more outcomes whose runs had an order that another outcome had, too: they differ in "
-            "output only\n",
-            alike - 1);
+            "\n  and %zu more outcome%s whose runs had an order that another outcome had, too: they differ "
+            "in output only\n",
+            alike - 1, plural(alike - 1));
 }
 
 void explore_print(const struct explore *x, FILE *out)

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
+#include "nx_api/contract/message.h"
 
 /* So many later messages are looked at for a receive, so many of them may be its candidates; and a handler is
  * tried at so many moments. */
@@ -50,16 +51,6 @@ static uint64_t place_of(bool handler, const char *line, int64_t typesel)
 
 /* --- messages ------------------------------------------------------------------------------------------- */
 
-/* Does the selection take the type? As sim/os/match.c: -1 any, other negative numbers are sets of the types
- * 0 to 30. */
-static bool selects_type(int64_t typesel, int64_t type)
-{
-    int32_t selection = (int32_t)typesel;
-    if (selection == -1 || selection == type)
-        return true;
-    return selection < -1 && type >= 0 && type < 31 && (uint32_t)selection >> type & 1;
-}
-
 static bool was_taken_before(const struct flip_search *s, const struct rec_message *m,
                              const struct rec_receive *v)
 {
@@ -72,7 +63,7 @@ static bool is_candidate(const struct flip_search *s, const struct rec_receive *
 {
     const struct event_rows *t = s->o->rows;
     const struct tl_event *e = &t->events[t->of_receive[v - s->o->recording->receives]];
-    return m->from != v->from && selects_type(v->typesel, m->type) && !was_taken_before(s, m, v) &&
+    return m->from != v->from && mailbox_selects(v->typesel, m->type) && !was_taken_before(s, m, v) &&
            !clocks_before_sending(s->c, e, m);
 }
 

@@ -97,6 +97,8 @@ static bool take_digest(struct subject *s, char **error)
     json_set(all, "limit", json_real(o->max_virtual_s));
     json_set(all, "rules", text_json(o->rules));
     json_set(all, "file", text_json(o->compare_file));
+    if (o->max_unreceived_mb)
+        json_set(all, "unreceived", json_integer(o->max_unreceived_mb));
     if (o->input_bytes)
         json_set(all, "input", digest_json(digest_of(o->input, o->input_bytes)));
     bool good = add_file(all, "touchstone", o->runner, error) &&
@@ -202,6 +204,10 @@ static void add_machine_options(char ***argv, const struct subject *s, const cha
         words_add(argv, xstrdup("-n"));
         words_add(argv, xasprintf("%u", o->nodes));
     }
+    if (o->max_unreceived_mb) {
+        words_add(argv, xstrdup("--max-unreceived"));
+        words_add(argv, xasprintf("%u", o->max_unreceived_mb));
+    }
     add(argv, "--host", host);
 }
 
@@ -211,6 +217,12 @@ static void add_program(char ***argv, const struct subject *s, const char *progr
         words_add(argv, xstrdup(program));
     for (int i = 1; i < s->options.program_count; i++)
         words_add(argv, xstrdup(s->options.program[i]));
+}
+
+static void add_limit(char ***argv, const struct subject *s)
+{
+    words_add(argv, xstrdup("--max-virtual-time"));
+    words_add(argv, xasprintf("%.15g", s->options.max_virtual_s));
 }
 
 char **subject_command(const struct subject *s, const char *timing, const struct run_files *f)
@@ -226,10 +238,8 @@ char **subject_command(const struct subject *s, const char *timing, const struct
     add(&argv, "--timing", timing);
     add(&argv, "--replay", f->replay);
     add(&argv, "--host-files", s->folder); /* the run's own folder has links to its files */
-    if (s->options.max_virtual_s > 0) {
-        words_add(&argv, xstrdup("--max-virtual-time"));
-        words_add(&argv, xasprintf("%.15g", s->options.max_virtual_s));
-    }
+    if (s->options.max_virtual_s > 0)
+        add_limit(&argv, s);
     add_program(&argv, s, s->program);
     return argv;
 }
@@ -241,7 +251,13 @@ static void append_word(char **text, const char *word)
     free(quoted);
 }
 
-char *subject_command_text(const struct subject *s, const char *timing, const char *replay)
+bool subject_is_limited(const struct subject *s, double virtual_s)
+{
+    const double reached_s = 2e-12; /* no event is at the limit or later */
+    return s->options.max_virtual_s > 0 && virtual_s >= s->options.max_virtual_s - reached_s;
+}
+
+char *subject_command_text(const struct subject *s, const char *timing, const char *replay, bool limited)
 {
     char *text = xstrdup("touchstone run"), **argv = NULL;
     add_machine_options(&argv, s, s->options.machine, s->options.host);
@@ -249,6 +265,8 @@ char *subject_command_text(const struct subject *s, const char *timing, const ch
         add(&argv, "--host-files", *file);
     add(&argv, "--timing", timing);
     add(&argv, "--replay", replay);
+    if (limited)
+        add_limit(&argv, s);
     add_program(&argv, s, s->options.program_count ? s->options.program[0] : NULL);
     for (char **word = argv; word && *word; word++)
         append_word(&text, *word);

@@ -22,11 +22,12 @@ struct subject_options {
     int program_count;
     const struct named_program *more; /* other programs, which stand among these words */
     size_t more_count;
-    unsigned nodes;           /* of the first program; 0: as many as the host program asks for */
-    double max_virtual_s;     /* of a run; 0: no limit */
-    const char *rules;        /* how runs are compared, as a text: other rules are other results */
-    const char *compare_file; /* a file that the program writes, by which runs are compared; NULL: none */
-    const char *input;        /* standard input of each run: so many bytes */
+    unsigned nodes;             /* of the first program; 0: as many as the host program asks for */
+    double max_virtual_s;       /* of a run; 0: no limit */
+    unsigned max_unreceived_mb; /* as in run --max-unreceived; 0: the usual */
+    const char *rules;          /* how runs are compared, as a text: other rules are other results */
+    const char *compare_file;   /* a file that the program writes, by which runs are compared; NULL: none */
+    const char *input;          /* standard input of each run: so many bytes */
     size_t input_bytes;
 };
 
@@ -64,6 +65,9 @@ struct run_files {
 };
 /* The command, ended by NULL, to be freed by words_free(). */
 char **subject_command(const struct subject *s, const char *timing, const struct run_files *f);
-/* The command that a user repeats the run by, in the current folder; malloc'd. */
-char *subject_command_text(const struct subject *s, const char *timing, const char *replay);
+/* The command that a user repeats the run by, in the current folder; malloc'd. limited: the run came to the
+ * limit of virtual time, and would go on without one. */
+char *subject_command_text(const struct subject *s, const char *timing, const char *replay, bool limited);
+/* Did a run that took so long come to the limit? */
+bool subject_is_limited(const struct subject *s, double virtual_s);
 #endif
