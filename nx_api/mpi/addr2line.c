@@ -51,13 +51,6 @@ void addr2line_digits(char digits[ADDR2LINE_DIGITS], uint64_t address)
     memmove(digits, p, strlen(p) + 1);
 }
 
-/* Without what compilers append to the names of a function's parts and copies (work.part.0). */
-char *addr2line_function(char *line)
-{
-    line[strcspn(line, ".\n")] = '\0';
-    return *line && strcmp(line, "??") != 0 ? line : NULL;
-}
-
 /* "/home/x/ring.c:17 (discriminator 2)" -> "ring.c:17" */
 char *addr2line_place(char *line)
 {
@@ -65,4 +58,26 @@ char *addr2line_place(char *line)
     char *slash = strrchr(line, '/'), *name = slash ? slash + 1 : line, *colon = strrchr(name, ':');
     bool known = colon && name[0] != '?' && colon[1] >= '1' && colon[1] <= '9';
     return known ? name : NULL;
+}
+
+/* "ring.f90:17", "ring.F:17" */
+static bool is_fortran(const char *place)
+{
+    const char *dot = place ? strrchr(place, '.') : NULL;
+    return dot && (dot[1] == 'f' || dot[1] == 'F');
+}
+
+/* Without what compilers append to the names of a function's parts and copies (work.part.0), and as Fortran's
+ * source has it: step, of step_ and __heat_MOD_step. */
+char *addr2line_function(char *line, const char *place)
+{
+    line[strcspn(line, ".\n")] = '\0';
+    if (!*line || strcmp(line, "??") == 0)
+        return NULL;
+    if (!is_fortran(place) || strcmp(line, "MAIN__") == 0)
+        return line;
+    char *module = strstr(line, "_MOD_"), *name = module ? module + 5 : line;
+    for (char *end = name + strlen(name); !module && end > name && end[-1] == '_';)
+        *--end = '\0';
+    return name;
 }

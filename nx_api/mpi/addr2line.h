@@ -14,8 +14,8 @@ enum { ADDR2LINE_DIGITS = 20, ADDR2LINE_BEFORE = 4 };
 int addr2line_start(const char **argv, pid_t *child);
 void addr2line_digits(char digits[ADDR2LINE_DIGITS], uint64_t address);
 
-/* The function and the place, "exchange" and "ring.c:17", out of an address's first and second line, which
- * they cut up; NULL: not known. */
-char *addr2line_function(char *line);
+/* The place, "ring.c:17", out of an address's second line, and its function, "exchange", out of the first:
+ * they cut them up. NULL: not known. */
 char *addr2line_place(char *line);
+char *addr2line_function(char *line, const char *place);
 #endif

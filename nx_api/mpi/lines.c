@@ -76,8 +76,9 @@ static void read_answers(struct lines *l, FILE *f)
     for (size_t i = 0; i < l->count; i++) {
         if (!fgets(function, sizeof function, f) || !fgets(line, sizeof line, f))
             return;
-        l->all[i].function = copy(addr2line_function(function));
-        l->all[i].line = copy(addr2line_place(line));
+        const char *place = addr2line_place(line);
+        l->all[i].function = copy(addr2line_function(function, place));
+        l->all[i].line = copy(place);
     }
 }
 

@@ -103,8 +103,8 @@ static void cut_up(struct frames *f, char *text)
         char *function = strsep(&rest, "\n"), *place = strsep(&rest, "\n");
         if (!rest)
             return;
-        f->all[i].function = addr2line_function(function);
         f->all[i].place = addr2line_place(place);
+        f->all[i].function = addr2line_function(function, f->all[i].place);
     }
 }
 
