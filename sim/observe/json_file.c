@@ -12,7 +12,7 @@ char *json_file_write(json_t *root, const char *path)
     return error;
 }
 
-json_t *json_tasks(const vtime tasks[NODE_TASKS])
+json_t *json_tasks(const double seconds[NODE_TASKS])
 {
     static const struct {
         enum node_task task;
@@ -23,6 +23,6 @@ json_t *json_tasks(const vtime tasks[NODE_TASKS])
                            {NODE_EMPTYING, "emptying_s"}};
     json_t *object = json_object();
     for (int i = 0; i < NODE_TASKS; i++)
-        json_set(object, NAMES[i].name, json_real(vt_seconds(tasks[NAMES[i].task])));
+        json_set(object, NAMES[i].name, json_real(seconds[NAMES[i].task]));
     return object;
 }

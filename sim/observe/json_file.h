@@ -8,6 +8,6 @@
  * Returns NULL, or a malloc'd error. */
 char *json_file_write(json_t *root, const char *path);
 
-/* An object: the system's time in seconds by task. */
-json_t *json_tasks(const vtime tasks[NODE_TASKS]);
+/* An object: the system's time by task. */
+json_t *json_tasks(const double seconds[NODE_TASKS]);
 #endif

@@ -228,14 +228,17 @@ static json_t *livelock_json(const struct node *n, struct backtrace_lines *lines
  * beside_s. */
 static json_t *node_json(const struct node *n, struct backtrace_lines *lines)
 {
-    json_t *j = json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:o, s:o, s:I, s:i, s:I, s:I}", "away_s",
-                          (double)(int64_t)n->stats.away / (double)VT_SECOND, "ended_s",
-                          vt_seconds(n->stats.ended_at), "busy_s", vt_seconds(busy(n)), "idle_s",
-                          vt_seconds(n->stats.idle), "system_s", vt_seconds(n->times.system), "beside_s",
-                          vt_seconds(n->stats.overlapped), "waits", waits_json(n), "tasks",
-                          json_tasks(n->times.tasks), "memory_peak_bytes", (json_int_t)n->stats.memory_peak,
-                          "exit_code", n->end.exit_code, "messages_sent", (json_int_t)n->stats.sent,
-                          "handlers", (json_int_t)n->stats.handlers);
+    double tasks[NODE_TASKS];
+    for (int i = 0; i < NODE_TASKS; i++)
+        tasks[i] = vt_seconds(n->times.tasks[i]);
+    json_t *j =
+        json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:o, s:o, s:I, s:i, s:I, s:I}", "away_s",
+                  (double)(int64_t)n->stats.away / (double)VT_SECOND, "ended_s",
+                  vt_seconds(n->stats.ended_at), "busy_s", vt_seconds(busy(n)), "idle_s",
+                  vt_seconds(n->stats.idle), "system_s", vt_seconds(n->times.system), "beside_s",
+                  vt_seconds(n->stats.overlapped), "waits", waits_json(n), "tasks", json_tasks(tasks),
+                  "memory_peak_bytes", (json_int_t)n->stats.memory_peak, "exit_code", n->end.exit_code,
+                  "messages_sent", (json_int_t)n->stats.sent, "handlers", (json_int_t)n->stats.handlers);
     json_t *livelock = livelock_json(n, lines);
     if (livelock)
         json_set(j, "livelock", livelock);

@@ -113,7 +113,7 @@ static struct profile_idle *idle_in(struct profile *p, const char *call)
 static int longest_first(const void *a, const void *b)
 {
     const struct profile_idle *x = a, *y = b;
-    vtime left = x->idle[0] + x->idle[1], right = y->idle[0] + y->idle[1];
+    profile_sum left = x->idle[0] + x->idle[1], right = y->idle[0] + y->idle[1];
     return left != right ? (right > left) - (right < left) : strcmp(x->call, y->call);
 }
 
@@ -145,7 +145,7 @@ struct profile profile_collect(const struct machine *m)
         add_times(&p, m->sys.nodes[k]);
     for (int c = 0; c < PROFILE_CLASSES; c++) {
         struct profile_times *t = &p.times[c];
-        t->rest = (int64_t)(profile_node_time(&p, c) - t->computing - t->system - t->idle);
+        t->rest = profile_node_time(&p, c) - t->computing - t->system - t->idle;
     }
     if (p.idle)
         qsort(p.idle, p.idle_count, sizeof *p.idle, longest_first);
@@ -159,9 +159,14 @@ void profile_free(struct profile *p)
     call_tree_free(&p->tree);
 }
 
-vtime profile_node_time(const struct profile *p, enum profile_class c)
+profile_sum profile_node_time(const struct profile *p, enum profile_class c)
 {
-    return p->end * p->times[c].nodes;
+    return (profile_sum)p->end * p->times[c].nodes;
+}
+
+double profile_sum_seconds(profile_sum time)
+{
+    return (double)time / (double)VT_SECOND;
 }
 
 double profile_seconds(const struct profile *p, int64_t units)

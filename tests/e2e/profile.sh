@@ -61,3 +61,9 @@ check "parts may be compiled without it" parts
 run --profile p.json --json j.json ab
 check "and are told as a whole" said '\(compiled without --profile\)'
 check "so that all adds up" adds_up
+
+printf '#include <unistd.h>\nint main(void) { sleep(1000000); return 0; }\n' >long.c
+"$BUILD/nxcc" -O2 --profile -o long long.c
+run -n 32 --profile long.json long
+check "32 nodes for a million seconds: more picoseconds than 64 bits hold" grep -qE '^100\.00% +32000000  \(idle\)' err
+check "and so in the file" grep -q '"idle_s": 32000000.0,' long.json
