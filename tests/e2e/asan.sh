@@ -87,6 +87,18 @@ check "the program's own calls, a recursion in one line" diff - <(sed -n '/^    
   to do: give irecv a buffer of at least 72 bytes, or a smaller length
 END
 
+cat >below.c <<'END'
+#include <stdlib.h>
+int main(void)
+{
+    int *all = malloc(40);
+    return all[-1];
+}
+END
+"$BUILD/nxcc" -O0 -g --asan -o below below.c
+run -q below
+check "an index below 0 is named as it is written" said '^  all\[-1\]$'
+
 cat >waits.c <<'END'
 #include <nx.h>
 void come(long type, long count, long node, long pid)

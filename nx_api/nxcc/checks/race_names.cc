@@ -114,7 +114,7 @@ std::string index_name(tree index)
 {
     for (int depth = 0; index && depth < deepest; depth++) {
         if (TREE_CODE(index) == INTEGER_CST)
-            return depth ? "..." : std::to_string(TREE_INT_CST_LOW(index));
+            return depth ? "..." : std::to_string((int64_t)TREE_INT_CST_LOW(index));
         if (DECL_P(index))
             return own_name(index) ? own_name(index) : "...";
         if (TREE_CODE(index) != SSA_NAME)
@@ -153,8 +153,8 @@ name object(tree ref, int depth);
 name behind_sum(tree base, tree offset, int depth)
 {
     name n = behind(base, depth);
-    if (tree_fits_shwi_p(offset)) {
-        n.offset += tree_to_shwi(offset);
+    if (TREE_CODE(offset) == INTEGER_CST) {
+        n.offset += (int64_t)TREE_INT_CST_LOW(offset); /* its type has no sign */
         return n;
     }
     if (!n.type || n.is_pointer)
