@@ -52,7 +52,7 @@ static const struct argp_option OPTIONS[] = {
     {"json", CLI_TEXT(arguments, json), "FILE", 0,
      "Write what was found as JSON, too; '-' is standard output, which has no text then", 0},
     {"tests", TESTS, "N", 0,
-     "At most N runs to find the fewest delays that show an outcome; default 200; of 8 outcomes", 0},
+     "At most N runs to find the fewest delays that show an outcome; default 200; for 8 outcomes at most", 0},
     {0}};
 
 static const char DOC[] =
