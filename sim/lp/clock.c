@@ -9,6 +9,9 @@
 #define FIRST_SLICE (10000 * UNITS_PER_CLOCK)
 #define LONGEST_SLICE (320000 * UNITS_PER_CLOCK)
 
+/* Hours of an i860, which no program computes from one poll to the next. */
+#define MOST_AT_ONCE (UINT64_C(1) << 50)
+
 void clock_set(struct lp *lp, uint64_t hz)
 {
     uint64_t units_per_second = hz * UNITS_PER_CLOCK;
@@ -65,8 +68,10 @@ void clock_set_lookahead(struct lp *lp, uint64_t units)
 static void pass_boundaries(struct lp *lp)
 {
     struct lp_segment *g = &lp->segment;
-    while (g->end <= lp->clock.units)
-        g->end += least(g->end - g->begun, LONGEST_SLICE);
+    while (g->end <= lp->clock.units && g->end - g->begun < LONGEST_SLICE)
+        g->end += g->end - g->begun;
+    if (g->end <= lp->clock.units)
+        g->end += ((lp->clock.units - g->end) / LONGEST_SLICE + 1) * LONGEST_SLICE;
 }
 
 static __attribute__((noinline)) void note_place(struct lp *lp, uintptr_t at)
@@ -140,6 +145,13 @@ vtime clock_lookahead(const struct lp *lp)
 uint64_t clock_segment_units(const struct lp *lp)
 {
     return lp->clock.units - lp->segment.begun;
+}
+
+void clock_doubt(struct lp *lp)
+{
+    uint64_t spent = (uint64_t)lp->clock.granted - (uint64_t)*lp->budget;
+    if (lp->clock.runs && spent > MOST_AT_ONCE)
+        *lp->budget = lp->clock.granted;
 }
 
 void clock_crash(struct lp *lp)

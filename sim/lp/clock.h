@@ -131,6 +131,9 @@ vtime clock_when(const struct lp *lp, uint64_t units);
 __attribute__((noinline)) uint64_t clock_units_in(const struct lp *lp, vtime t);
 /* Units spent since the program got control. */
 uint64_t clock_segment_units(const struct lp *lp);
+/* The program has crashed, and may have written over its count. One that cannot be is taken back. Call before
+ * clock_sync. */
+void clock_doubt(struct lp *lp);
 /* The program has crashed while it computed, some time after its last slice boundary. How far it had come is
  * unknown. It counts as having computed up to its next slice boundary, which is the same however it was
  * stopped before. */

@@ -12,6 +12,8 @@ void lp_run(struct lp *lp)
     errno = lp->saved_errno;
     fiber_resume(&lp->fiber);
     lp->crashed = up_program_returns(lp);
+    if (lp->crashed)
+        clock_doubt(lp);
     clock_sync(lp);
     lp->saved_errno = errno;
 }

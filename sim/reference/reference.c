@@ -58,8 +58,10 @@ static void run(struct lp *lp)
     errno = lp->saved_errno;
     fiber_resume(&lp->fiber);
     lp->saved_errno = errno;
-    clock_sync(lp);
     lp->crashed = up_program_returns(lp);
+    if (lp->crashed)
+        clock_doubt(lp);
+    clock_sync(lp);
     if (!lp->crashed)
         return;
     if (lp->clock.runs)

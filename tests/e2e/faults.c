@@ -166,6 +166,9 @@ int main(int argc, char **argv)
         copy(buf);
     if (!strcmp(how, "constant"))
         overflow((char *)"a text in quotes" + zero, 0);
+    if (!strcmp(how, "data_before"))
+        for (volatile char *p = (char *)&out;; p--)
+            *p = 1;
     if (!strcmp(how, "stack_end"))
         memset(buf + zero, 0, 1 << 16);
     if (!strcmp(how, "no_pointer")) {

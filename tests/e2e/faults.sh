@@ -25,6 +25,7 @@ fault number 1 'node 1 crashed .*: 0x8, a member of a null pointer, or a number 
 fault no_pointer 1 'node 1 crashed .*: 0x3ff8000000000000, a number or text used as a pointer, or one that was never set$' '^  in main.*faults.c:'
 fault privileged 1 'node 1 crashed .*: it executed an instruction that programs may not .*fault.$' '^  in main.*faults.c:'
 fault constant 1 'node 1 crashed .*, in its code or constants, which cannot be changed' '^  in .*faults.c:'
+fault data_before 1 'node 1 crashed at or shortly before [0-9.]+ [mu]s, .*, in its code or constants, which cannot be changed' '^  in .*faults.c:'
 fault stack_end 1 'node 1 crashed .*, past the end of its stack \(is an array too small' '^  called from .*faults.c:'
 fault length 1 'node 1, at [0-9.]+ [mun]?s: gdsum: irecv\([0-9]+, buf, -8\): length -8 is negative' '^  called from main.*faults.c:'
 check "length: lines of the library are left out" bash -c '! grep -q global.c err'

@@ -459,6 +459,34 @@ static void a_crash_is_counted_at_the_next_slice_boundary(void **state)
     }
 }
 
+static void a_crash_of_a_program_that_wrote_over_its_count_has_a_time(void **state)
+{
+    static const uint64_t over[] = {UINT64_C(0x0101010101010101), UINT64_C(0x8080808080808080), 1ULL << 63};
+    struct fake f;
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        struct lp *lp = begin(&f, 40 * MHZ);
+        spend(&f, 3000 * CLOCK);
+        clock_sync(lp);
+        f.budget = (int64_t)over[i];
+        clock_doubt(lp);
+        clock_sync(lp);
+        clock_crash(lp);
+        assert_int_equal(clock_sync(lp), 250 * VT_MICROSECOND);
+    }
+}
+
+static void boundaries_are_passed_at_once(void **state)
+{
+    struct fake f;
+    struct lp *lp = begin(&f, 40 * MHZ);
+    (void)state;
+    spend(&f, INT64_C(1) << 58);
+    poll_at(&f, 1);
+    assert_true(lp->segment.end > lp->clock.units);
+    assert_true(lp->segment.end - lp->clock.units <= 320000 * CLOCK);
+}
+
 static void the_time_of_units_to_come_counts_from_now(void **state)
 {
     struct fake f;
@@ -503,6 +531,8 @@ int main(void)
         cmocka_unit_test(a_program_that_is_ended_where_it_is_has_the_least_units_of_that_time),
         cmocka_unit_test(roll_back_takes_no_more_than_has_been_computed),
         cmocka_unit_test(a_crash_is_counted_at_the_next_slice_boundary),
+        cmocka_unit_test(a_crash_of_a_program_that_wrote_over_its_count_has_a_time),
+        cmocka_unit_test(boundaries_are_passed_at_once),
         cmocka_unit_test(the_time_of_units_to_come_counts_from_now),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
