@@ -24,6 +24,7 @@ struct mpi_mailbox {
     struct posted posted;
     struct message *unexpected, **unexpected_end;
     struct mpi_due *due, **due_end;
+    uint64_t come;     /* messages, so far */
     uint32_t handlers; /* posted or due */
     struct mailbox_ids ids;
 };
@@ -107,6 +108,7 @@ void mpi_mailbox_deliver(struct node *n, struct message *m)
 {
     enum { FORCED = 1 << 30 };
     struct mpi_mailbox *b = n->mailbox;
+    m->come = b->come++;
     struct receive *r = posted_take(n, &b->posted, m);
     if (r) {
         give(b, r, m);
@@ -196,10 +198,13 @@ bool mailbox_withdraw(struct node *n, struct receive *r)
     m->taker = NULL;
     m = wire_keep(n, m);
     RECORD_ORDER(withdraw, r);
-    m->next = b->unexpected;
-    if (!b->unexpected)
+    struct message **link = &b->unexpected;
+    while (*link && (*link)->come < m->come)
+        link = &(*link)->next;
+    m->next = *link;
+    if (!m->next)
         b->unexpected_end = &m->next;
-    b->unexpected = m;
+    *link = m;
     return true;
 }
 

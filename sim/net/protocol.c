@@ -172,6 +172,8 @@ static void handle_envelope(struct protocol *p, struct message *m, vtime now)
     }
     vtime answered = endpoint_work(p->ends, m->to, PROTOCOL_RECEIVE, now, p->cfg->ask_receive_ps);
     m->trip->at_receiver = m->trip->at_sender = protocol_after(protocol_latency(p, m));
+    if (!m->serves && !m->carries)
+        m->asked = answered;
     if (endpoint_envelope(p->ends, m, now))
         protocol_clear_to_send(p, m, answered);
 }

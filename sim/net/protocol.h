@@ -84,6 +84,7 @@ struct message {
     union {
         void *service; /* between a service and its client: what the message is about */
         struct protocol_cargo *cargo;
+        uint64_t asked; /* a long message with neither: when its receiver had handled its request to send */
     };
     struct protocol *protocol; /* NULL: freed */
     void *data;                /* a copy of the sender's: in few, or shared by messages to all nodes */

@@ -45,7 +45,7 @@ vtime match_send_late(const struct node *n);
  * one may get its room. */
 vtime match_copying(const struct node *n, const struct message *m);
 void match_done_with(struct node *n, struct message *m, vtime now);
-/* m, which a receive had selected, is unexpected again, the first. */
+/* m, which a receive had selected, is unexpected again. */
 void match_put_back(struct node *n, struct message *m);
 /* Do long messages wait for room? */
 bool match_may_grant(const struct node *n);

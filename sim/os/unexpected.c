@@ -60,14 +60,6 @@ static void append_whole(struct node *n, struct message *m)
         begin_types(n);
 }
 
-static void prepend_whole(struct node *n, struct message *m)
-{
-    link_whole(n, &n->mailbox.whole, m);
-    if (n->unexpected.by_type)
-        queues_add(n->unexpected.by_type, (uint32_t)m->type, -++n->unexpected.order, m);
-    n->unexpected.count++;
-}
-
 static void remove_whole(struct node *n, struct message *m)
 {
     m->whole = false;
@@ -164,27 +156,66 @@ void unexpected_take(struct node *n, struct message *m)
     unexpected_has_arrived(n, m); /* those behind m need not wait for it any more */
 }
 
-/* Puts m first among the coming, with the whole messages behind it that were sent after it. */
-static void put_before_whole(struct node *n, struct message *m)
+/* --- messages that come back --- */
+
+/* When the system had handled m's envelope, which it does in the order in which envelopes come. (A long
+ * message that carries a cargo does not tell: it counts as first until it has arrived.) */
+static vtime handled(const struct message *m)
 {
-    struct message **behind = &m->next;
-    link_coming(&n->unexpected.coming, m);
+    bool tells = m->is_long && !m->carries;
+    return tells ? m->asked : m->arrived ? m->complete : 0;
+}
+
+/* Has w an order with m, and was sent earlier? */
+static bool is_before(const struct message *w, const struct message *m)
+{
+    return keep_order(w, m) && handled(w) < handled(m);
+}
+
+/* Puts m back before the whole messages that came whole after it, or were sent after it. */
+static void put_back_whole(struct node *n, struct message *m)
+{
+    struct message **link = &n->mailbox.whole;
+    for (struct message *w = *link; w; w = w->next)
+        if (is_before(w, m))
+            link = &w->next;
+    while (*link && (*link)->complete < m->complete && !keep_order(*link, m))
+        link = &(*link)->next;
+    link_whole(n, link, m);
+    n->unexpected.count++;
+    if (!n->unexpected.by_type)
+        return;
+    queues_free(n->unexpected.by_type);
+    begin_types(n);
+}
+
+/* Puts m back among the coming, and with it the whole messages that were sent after it. */
+static void put_back_coming(struct node *n, struct message *m)
+{
+    struct message **link = &n->unexpected.coming;
+    while (*link && handled(*link) < handled(m))
+        link = &(*link)->next;
+    link_coming(link, m);
     for (struct message *w = n->mailbox.whole, *next; w; w = next) {
         next = w->next;
-        if (!keep_order(w, m))
+        if (!keep_order(w, m) || is_before(w, m))
             continue;
         remove_whole(n, w);
-        link_coming(behind, w);
-        behind = &w->next;
+        while (*link && handled(*link) <= handled(w))
+            link = &(*link)->next;
+        link_coming(link, w);
     }
 }
 
 void unexpected_put_back(struct node *n, struct message *m)
 {
-    if (m->arrived)
-        prepend_whole(n, m);
+    bool waits = !m->arrived;
+    for (const struct message *c = n->unexpected.coming; c && !waits; c = c->next)
+        waits = is_before(c, m);
+    if (waits)
+        put_back_coming(n, m);
     else
-        put_before_whole(n, m);
+        put_back_whole(n, m);
 }
 
 void unexpected_inherit(struct node *n, struct node *before)

@@ -20,7 +20,7 @@ void unexpected_add(struct node *n, struct message *m);
 void unexpected_has_arrived(struct node *n, const struct message *m);
 /* The first message that is selected; NULL: none. */
 struct message *unexpected_first(const struct node *n, const struct selector *select);
-/* Takes m off; puts m back, as the first. */
+/* Takes m off; puts m back, to its place in the order. */
 void unexpected_take(struct node *n, struct message *m);
 void unexpected_put_back(struct node *n, struct message *m);
 /* Moves the messages of the node `before` to n, which has none. */

@@ -68,6 +68,7 @@ struct message {
     bool whole; /* its bytes have come */
     bool lost;  /* to be freed when it is whole */
     size_t bytes;
+    uint64_t come;    /* of those that have come to this node */
     uint64_t nth;     /* of those that its sender has sent here, if the run is recorded */
     const char *data; /* if it is whole */
     void *block;      /* malloc'd: freed with the message */
