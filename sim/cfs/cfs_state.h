@@ -27,9 +27,10 @@ struct cfs_file {
     struct cfs *cfs;
     struct store_file *store;
     int flags;   /* of open() */
-    uint64_t at; /* the node's own pointer */
+    uint64_t at; /* the node's own pointer; mode 3: where it has sought to */
     int mode;
     uint64_t round;      /* modes 3 and 4: calls made */
+    uint64_t sought;     /* mode 3: the round in which it has sought last, plus 1; 0: none */
     uint32_t generation; /* of the group that it has joined */
 };
 
@@ -37,6 +38,12 @@ struct cfs_file {
 static inline bool cfs_own_pointer(const struct cfs_file *f)
 {
     return f->mode == MODE_OWN || f->mode == MODE_UNISON || f->mode == MODE_ASYNC;
+}
+
+/* Mode 3: has the node sought in this round? */
+static inline bool cfs_has_sought(const struct cfs_file *f)
+{
+    return f->sought == f->round + 1;
 }
 
 static inline struct modes_group *cfs_group(const struct cfs_file *f)

@@ -298,20 +298,25 @@ int cfs_restrict(struct cfs_file *f, const uint32_t *disks, uint32_t count)
 
 /* --- pointers and modes --- */
 
-/* Where the file's pointer is, or the node's own. */
+/* Where the file's pointer is, or the node's own. In mode 3 all nodes make the same seeks: each has its own
+ * in mind, whether or not the others have made theirs. */
 static uint64_t pointer(const struct cfs_file *f)
 {
     if (f->mode == MODE_RECORDS)
-        return modes_round_start(cfs_group(f), f->round, f->cfs->sys->count);
+        return cfs_has_sought(f) ? f->at : modes_round_from(cfs_group(f), f->round, f->cfs->sys->count);
     return cfs_own_pointer(f) ? f->at : cfs_group(f)->at;
 }
 
-static int set_pointer(struct cfs_file *f, uint64_t at)
+static void set_pointer(struct cfs_file *f, uint64_t at)
 {
-    if (f->mode == MODE_RECORDS)
-        return modes_set_round(cfs_group(f), f->round, f->cfs->sys->count, at) ? 0 : EINVAL;
-    *(cfs_own_pointer(f) ? &f->at : &cfs_group(f)->at) = at;
-    return 0;
+    if (f->mode == MODE_FIRST_COME || f->mode == MODE_ORDERED)
+        cfs_group(f)->at = at;
+    else
+        f->at = at;
+    if (f->mode != MODE_RECORDS)
+        return;
+    f->sought = f->round + 1;
+    modes_set_round(cfs_group(f), f->round, f->cfs->sys->count, at);
 }
 
 static int do_seek(struct question *q)
@@ -327,7 +332,9 @@ static int do_seek(struct question *q)
     if (at < 0)
         return EINVAL;
     q->number = (uint64_t)at;
-    return set_pointer(q->file, q->number);
+    if (q->number != pointer(q->file))
+        set_pointer(q->file, q->number);
+    return 0;
 }
 
 /* Only the directory knows sizes and shared pointers; a node's own pointer needs no message. */
@@ -355,7 +362,7 @@ static int do_set_mode(struct question *q)
     if (f->mode != MODE_OWN)
         modes_leave(m, f->mode);
     f->mode = q->flags;
-    f->round = 0;
+    f->round = f->sought = 0;
     if (f->mode != MODE_OWN)
         modes_join(m, f->mode, f->at);
     f->generation = cfs_group(f)->generation;

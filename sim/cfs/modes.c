@@ -38,40 +38,43 @@ void modes_next_turn(struct modes_group *g, uint32_t nodes)
     g->turn = (g->turn + 1) % nodes;
 }
 
+/* Where a round starts that no node has moved. */
+static uint64_t from(const struct modes_group *g, uint64_t round, uint32_t nodes)
+{
+    const struct modes_round *last = round ? &g->rounds[round - 1] : NULL;
+    return last ? last->start + last->bytes * nodes : g->at;
+}
+
 /* The round of that number. Rounds are reached one after the other, and made when they are. */
 static struct modes_round *the_round(struct modes_group *g, uint64_t round, uint32_t nodes)
 {
     while (g->round_count <= round) {
         if ((g->round_count & (g->round_count + 1)) == 0)
             g->rounds = xreallocarray(g->rounds, 2 * g->round_count + 1, sizeof *g->rounds);
-        const struct modes_round *last = g->round_count ? &g->rounds[g->round_count - 1] : NULL;
-        g->rounds[g->round_count++] =
-            (struct modes_round){.start = last ? last->start + last->bytes * nodes : g->at};
+        g->rounds[g->round_count] = (struct modes_round){.start = from(g, g->round_count, nodes)};
+        g->round_count++;
     }
     return &g->rounds[round];
 }
 
-bool modes_record(struct modes_group *g, uint64_t round, uint32_t node, uint32_t nodes, uint64_t bytes,
-                  uint64_t *at, uint64_t *expected)
+struct modes_round modes_record(struct modes_group *g, uint64_t round, uint32_t nodes, const uint64_t *sought,
+                                uint64_t bytes)
 {
     struct modes_round *r = the_round(g, round, nodes);
     if (!r->begun)
-        r->begun = true, r->bytes = bytes;
-    *expected = r->bytes;
-    *at = r->start + node * bytes;
-    return r->bytes == bytes;
+        *r = (struct modes_round){sought ? *sought : r->start, bytes, true};
+    return *r;
 }
 
-uint64_t modes_round_start(struct modes_group *g, uint64_t round, uint32_t nodes)
+uint64_t modes_round_from(struct modes_group *g, uint64_t round, uint32_t nodes)
 {
-    return the_round(g, round, nodes)->start;
+    the_round(g, round, nodes);
+    return from(g, round, nodes);
 }
 
-bool modes_set_round(struct modes_group *g, uint64_t round, uint32_t nodes, uint64_t start)
+void modes_set_round(struct modes_group *g, uint64_t round, uint32_t nodes, uint64_t start)
 {
     struct modes_round *r = the_round(g, round, nodes);
-    if (r->begun)
-        return r->start == start;
-    r->start = start;
-    return true;
+    if (!r->begun)
+        r->start = start;
 }

@@ -49,12 +49,12 @@ uint64_t modes_take(struct modes_group *g, uint64_t bytes);
 /* Mode 2: node's turn is over; the next one's begins. */
 void modes_next_turn(struct modes_group *g, uint32_t nodes);
 
-/* Mode 3: the position of node's call of `bytes` in the round (its own count of calls since it joined).
- * Returns false if other nodes gave *expected bytes in that round. */
-bool modes_record(struct modes_group *g, uint64_t round, uint32_t node, uint32_t nodes, uint64_t bytes,
-                  uint64_t *at, uint64_t *expected);
-/* Mode 3: where a round starts, as far as the earlier rounds have been called; and setting the start of a
- * round before it has begun (returns false if it has begun at another position). */
-uint64_t modes_round_start(struct modes_group *g, uint64_t round, uint32_t nodes);
-bool modes_set_round(struct modes_group *g, uint64_t round, uint32_t nodes, uint64_t start);
+/* Mode 3: a call of `bytes` in a round (the node's own count of calls since it joined), by a node that has
+ * sought to *sought in it (NULL: it has not). The round as the node that came first has it. */
+struct modes_round modes_record(struct modes_group *g, uint64_t round, uint32_t nodes, const uint64_t *sought,
+                                uint64_t bytes);
+/* Mode 3: where the round before ends, as far as the earlier rounds have been called; and setting where a
+ * round starts that has not begun. */
+uint64_t modes_round_from(struct modes_group *g, uint64_t round, uint32_t nodes);
+void modes_set_round(struct modes_group *g, uint64_t round, uint32_t nodes, uint64_t start);
 #endif

@@ -375,11 +375,16 @@ static void ask_position(struct cfs_op *op, int mode)
 /* Mode 3: the node itself knows where its record is. */
 static void position_record(struct cfs_file *f, struct cfs_op *op)
 {
-    uint64_t others;
     struct node *n = op->node;
-    if (!modes_record(cfs_group(f), f->round++, n->id, n->sys->count, op->bytes, &op->at, &others))
+    const uint64_t *sought = cfs_has_sought(f) ? &f->at : NULL;
+    const struct modes_round r = modes_record(cfs_group(f), f->round++, n->sys->count, sought, op->bytes);
+    if (r.bytes != op->bytes)
         node_fail(n, "%s: in I/O mode 3 all nodes give the same length: %lu bytes here, %lu elsewhere (%s)",
-                  n->call.name, op->bytes, others, f->store->path);
+                  n->call.name, op->bytes, r.bytes, f->store->path);
+    if (sought && r.start != *sought)
+        node_fail(n, "%s: in I/O mode 3 all nodes seek to the same place: to %lu here, %lu elsewhere (%s)",
+                  n->call.name, *sought, r.start, f->store->path);
+    op->at = r.start + n->id * op->bytes;
     if (!op->write)
         op->bytes = cfs_readable(op->store, op->at, op->bytes);
 }

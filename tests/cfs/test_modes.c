@@ -47,19 +47,23 @@ static void turns_go_round(void **state)
     modes_free(&m);
 }
 
-static void records_lie_in_node_order_whoever_comes_first(void **state)
+static uint64_t start_of(struct modes_group *g, uint64_t round, uint32_t nodes, uint64_t bytes)
+{
+    struct modes_round r = modes_record(g, round, nodes, NULL, bytes);
+    assert_true(r.begun);
+    return r.start;
+}
+
+static void rounds_follow_each_other(void **state)
 {
     struct modes m = {0};
     struct modes_group *g = &m.group[MODE_RECORDS];
-    uint64_t at, others;
     (void)state;
     modes_join(&m, MODE_RECORDS, 1000);
-    assert_true(modes_record(g, 0, 2, 3, 50, &at, &others));
-    assert_int_equal(at, 1100);
-    assert_true(modes_record(g, 1, 2, 3, 7, &at, &others)); /* ahead of the others */
-    assert_int_equal(at, 1000 + 3 * 50 + 2 * 7);
-    assert_true(modes_record(g, 0, 0, 3, 50, &at, &others));
-    assert_int_equal(at, 1000);
+    assert_int_equal(start_of(g, 0, 3, 50), 1000);
+    assert_int_equal(start_of(g, 1, 3, 7), 1000 + 3 * 50); /* ahead of the others */
+    assert_int_equal(start_of(g, 0, 3, 50), 1000);
+    assert_int_equal(modes_round_from(g, 2, 3), 1000 + 3 * 57);
     modes_free(&m);
 }
 
@@ -67,12 +71,10 @@ static void a_round_has_one_length(void **state)
 {
     struct modes m = {0};
     struct modes_group *g = &m.group[MODE_RECORDS];
-    uint64_t at, others;
     (void)state;
     modes_join(&m, MODE_RECORDS, 0);
-    assert_true(modes_record(g, 0, 1, 2, 50, &at, &others));
-    assert_false(modes_record(g, 0, 0, 2, 49, &at, &others));
-    assert_int_equal(others, 50);
+    assert_int_equal(modes_record(g, 0, 2, NULL, 50).bytes, 50);
+    assert_int_equal(modes_record(g, 0, 2, NULL, 49).bytes, 50);
     modes_free(&m);
 }
 
@@ -80,16 +82,16 @@ static void records_may_be_moved_before_a_round_begins(void **state)
 {
     struct modes m = {0};
     struct modes_group *g = &m.group[MODE_RECORDS];
-    uint64_t at, others;
+    const uint64_t late = 600;
     (void)state;
     modes_join(&m, MODE_RECORDS, 0);
-    for (uint32_t node = 0; node < 2; node++)
-        assert_true(modes_set_round(g, 0, 2, 500));
-    assert_true(modes_record(g, 0, 1, 2, 50, &at, &others));
-    assert_int_equal(at, 550);
-    assert_true(modes_set_round(g, 0, 2, 500)); /* a late node that wants the same */
-    assert_false(modes_set_round(g, 0, 2, 600));
-    assert_int_equal(modes_round_start(g, 1, 2), 600);
+    modes_set_round(g, 0, 2, 500);
+    assert_int_equal(modes_round_from(g, 0, 2), 0); /* for a node that has yet to seek from here */
+    assert_int_equal(start_of(g, 0, 2, 50), 500);
+    modes_set_round(g, 0, 2, late);
+    assert_int_equal(modes_record(g, 0, 2, &late, 50).start, 500);
+    assert_int_equal(modes_round_from(g, 1, 2), 600);
+    assert_int_equal(modes_record(g, 1, 2, &late, 50).start, 600);
     modes_free(&m);
 }
 
@@ -99,7 +101,7 @@ int main(void)
         cmocka_unit_test(one_pointer_goes_on_by_each_call),
         cmocka_unit_test(a_group_starts_anew_when_all_have_left),
         cmocka_unit_test(turns_go_round),
-        cmocka_unit_test(records_lie_in_node_order_whoever_comes_first),
+        cmocka_unit_test(rounds_follow_each_other),
         cmocka_unit_test(a_round_has_one_length),
         cmocka_unit_test(records_may_be_moved_before_a_round_begins),
     };

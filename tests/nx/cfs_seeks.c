@@ -21,6 +21,22 @@ static int reads_at(int fd, long mode, char first)
     return in[0] == (mode == M_UNIX || mode == M_GLOBAL ? first : first + (char)mynode());
 }
 
+/* Records: seeks from where the pointer is, and to the end and back, move it once, however far other nodes
+ * have come. */
+static int moves_once(int fd)
+{
+    int first = (int)(mynode() + 1) * 1000, good = lseek(fd, 3, SEEK_SET) == 3;
+    usleep((unsigned)first);
+    good &= lseek(fd, 2, SEEK_CUR) == 5 && lseek(fd, 1, SEEK_CUR) == 6 && lseek(fd, 0, SEEK_CUR) == 6;
+    cread(fd, in, 1);
+    good &= in[0] == '6' + (char)mynode();
+    gsync();
+    usleep((unsigned)first);
+    good &= lseek(fd, 0, SEEK_END) == 40 && lseek(fd, 1, SEEK_SET) == 1;
+    cread(fd, in, 1);
+    return good && in[0] == '1' + (char)mynode();
+}
+
 int main(void)
 {
     static const char *const name[] = {"M_UNIX", "M_LOG", "M_SYNC", "M_RECORD", "M_GLOBAL"};
@@ -42,6 +58,8 @@ int main(void)
         gsync();
         lseek(fd, 7, SEEK_SET);
         rule("again", reads_at(fd, mode, '7'));
+        if (mode == M_RECORD)
+            rule("from where it is, and to the end and back", moves_once(fd));
     }
     return 0;
 }
