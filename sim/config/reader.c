@@ -163,6 +163,30 @@ static char *folder_of(const char *path)
     return slash ? xstrndup(path, slash > path ? (size_t)(slash - path) : 1) : xstrdup(".");
 }
 
+static bool has_mark(const char *path)
+{
+    char begin[sizeof TEXT_BYTE_ORDER_MARK] = "";
+    FILE *f = fopen(path, "r");
+    if (!f)
+        return false;
+    bool read = fgets(begin, sizeof begin, f);
+    fclose(f);
+    return read && !strcmp(begin, TEXT_BYTE_ORDER_MARK);
+}
+
+/* What libconfig says of the file, or of one that it includes: of these it has read a byte order mark, too. */
+static char *syntax_error(const struct cfg_reader *r)
+{
+    char *file = path_of(r, config_error_file(&r->lib));
+    int line = config_error_line(&r->lib);
+    bool marked = line == 1 && config_error_file(&r->lib) && has_mark(file);
+    char *text = marked ? xasprintf("%s:1: begins with a byte order mark: save it without one", file)
+                        : xasprintf("%s:%d: %s (settings are written: key = value;)", file, line,
+                                    config_error_text(&r->lib));
+    free(file);
+    return text;
+}
+
 bool cfg_open(struct cfg_reader *r, const char *path)
 {
     *r = (struct cfg_reader){.path = path};
@@ -176,10 +200,7 @@ bool cfg_open(struct cfg_reader *r, const char *path)
     bool read = config_read_string(&r->lib, text) == CONFIG_TRUE;
     free(text);
     if (!read) {
-        char *file = path_of(r, config_error_file(&r->lib)); /* the one included, or NULL */
-        r->error = xasprintf("%s:%d: %s (settings are written: key = value;)", file,
-                             config_error_line(&r->lib), config_error_text(&r->lib));
-        free(file);
+        r->error = syntax_error(r);
         return false;
     }
     r->root = config_root_setting(&r->lib);

@@ -59,6 +59,13 @@ static ssize_t read_up_to(int fd, char **text, size_t most)
     }
 }
 
+static void drop_mark(char *text)
+{
+    enum { MARK = sizeof TEXT_BYTE_ORDER_MARK - 1 };
+    if (strncmp(text, TEXT_BYTE_ORDER_MARK, MARK) == 0)
+        memmove(text, text + MARK, strlen(text + MARK) + 1);
+}
+
 static char *read_text(int fd, size_t most, const char **why, int *line)
 {
     char *text = NULL;
@@ -69,8 +76,10 @@ static char *read_text(int fd, size_t most, const char **why, int *line)
         *line = line_without_text(text, (size_t)bytes);
         *why = *line ? "a byte that is not UTF-8 text" : NULL;
     }
-    if (!*why)
+    if (!*why) {
+        drop_mark(text);
         return text;
+    }
     free(text);
     return NULL;
 }

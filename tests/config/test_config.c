@@ -299,13 +299,15 @@ static void included_files_are_named_by_path(void **state)
         {"/* as before:\n@include \"none.inc\"\n*/ name = \"/*\"; description = 7;",
          "folder/toy.inc:3: description: must be text in double quotes, not empty"},
         {"name = 7;", "folder/toy.inc:1: name: must be text in double quotes, not empty"},
+        {"\xef\xbb\xbfname = 7;",
+         "folder/toy.inc:1: begins with a byte order mark: save it without one"},
         {"name = ;", "folder/toy.inc:1: syntax error (settings are written: key = value;)"}};
     assert_int_equal(mkdir("folder", 0777), 0);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char *error = NULL;
         FILE *toy = fopen("folder/toy.cfg", "w"), *inc = fopen("folder/toy.inc", "w");
         assert_true(toy && inc);
-        fprintf(toy, "@include \"toy.inc\"\n");
+        fprintf(toy, "\xef\xbb\xbf@include \"toy.inc\"\n"); /* with a byte order mark, which is no matter */
         fprintf(inc, "%s\n", cases[i][0]);
         fclose(toy), fclose(inc);
         assert_null(cfg_load("folder/toy.cfg", "nowhere", &error));

@@ -280,6 +280,10 @@ static void text_is_read_if_it_is_text(void **state)
     char *text = text_file_read("good", 1000, &why, &line);
     assert_string_equal(text, "gr\xc3\xbc\xc3\x9f\x65 \xe2\x82\xac \xf0\x9f\x98\x80\n");
     free(text);
+    put("marked", TEXT_BYTE_ORDER_MARK "text " TEXT_BYTE_ORDER_MARK);
+    text = text_file_read("marked", 1000, &why, &line);
+    assert_string_equal(text, "text " TEXT_BYTE_ORDER_MARK);
+    free(text);
     put("latin1", "a\nb\xfc\n");
     check_refused("latin1", "a byte that is not UTF-8 text", 2);
     put("overlong", "\xc0\xaf");
