@@ -212,7 +212,7 @@ static bool make_nodes(struct machine *m, char **error)
 /* VT_NEVER: there is no limit, or one that no virtual time reaches. */
 static vtime time_of(double seconds)
 {
-    return seconds > 0 && seconds < vt_seconds(VT_NEVER) ? (vtime)(seconds * (double)VT_SECOND) : VT_NEVER;
+    return seconds > 0 && seconds < vt_seconds(VT_LAST) ? (vtime)(seconds * (double)VT_SECOND) : VT_NEVER;
 }
 
 /* The last moment that may be committed. */

@@ -72,6 +72,16 @@ static vtime come_to(const struct schedule *s)
     return t == VT_NEVER ? s->present.time : vt_max(t, s->present.time);
 }
 
+/* Virtual time is far on: from now on the engine asks before each event whether time is at its end. */
+static void see_end_of_time(struct schedule *s)
+{
+    if (s->max_time != VT_NEVER || come_to(s) < VT_NEVER / 2)
+        return;
+    engine_hold(s);
+    s->max_time = VT_LAST;
+    engine_release(s);
+}
+
 static void tell_where(struct machine *m)
 {
     struct node_system *s = &m->sys;
@@ -154,6 +164,7 @@ void outside_look(void *ctx)
     struct machine *m = ctx;
     double now = hostclock_s();
     poll_signals(m);
+    see_end_of_time(&m->sys.schedule);
     show_output(m, now);
     if (m->sys.progress)
         show_progress(m, now);

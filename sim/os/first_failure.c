@@ -21,5 +21,6 @@ void node_system_end_at_limit(struct node_system *sys)
         return;
     vtime limit = sys->schedule.max_time;
     node_system_fail(sys, STOP_VIRTUAL_TIME, (struct instant){limit, UINT32_MAX},
-                     "virtual time limit of %s reached", virtual_time_moment(limit).text);
+                     limit == VT_LAST ? "virtual time ends at %s" : "virtual time limit of %s reached",
+                     virtual_time_moment(limit).text);
 }

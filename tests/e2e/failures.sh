@@ -81,3 +81,24 @@ run -q -n 3 --max-unreceived 1 floods ends
 check "short messages to a program that has ended" said '^  the program of node 1 ended at '
 run -q -n 2 --max-unreceived 100 --max-virtual-time 25 floods
 check "--max-unreceived: more room than usual" said 'virtual time limit of 25 s'
+
+# --- virtual time has an end, before its picoseconds are more than 64 bits hold ---
+cat >lasts.c <<'E'
+#include <nx.h>
+#include <unistd.h>
+int main(void)
+{
+    sleep(4000000000u); /* to the last moment that can be waited for */
+    for (;;)
+        csend(5, NULL, 0, mynode(), 0), crecv(5, NULL, 0);
+}
+E
+"$BUILD/nxcc" -O2 -g -o lasts lasts.c
+for how in "" "--engine reference" "-w 3"; do
+    # shellcheck disable=SC2086
+    run -q -n 2 $how --set system.call_us=1e6 --set system.short_send_us=1e6 lasts
+    check "the end of virtual time, $how: exit status 1" ended_with 1
+    check "the end of virtual time, $how: says so" said '^touchstone run: virtual time ends at 17946744\.073709551 s$'
+    [ -n "$how" ] || cp err first.err
+    check "the end of virtual time, $how: where the nodes are, in any run" diff first.err err
+done
