@@ -2,12 +2,19 @@
 #include "cfs/ionode.h"
 #include <assert.h>
 #include <stdlib.h>
+#include <string.h>
 #include "cfs/block_cache.h"
 #include "kernel/xalloc.h"
 
+/* Of a file on a disk: by node, the block read last, plus 1; 0: none. */
+struct last_read {
+    uint32_t file; /* its id then */
+    uint64_t *block;
+};
+
 struct io_disk {
     struct disk *disk;
-    uint64_t **last; /* by file id, by node: the block read last, plus 1; NULL, 0: none */
+    struct last_read *last; /* by the file's slot */
     uint32_t files;
 };
 
@@ -66,7 +73,7 @@ void ionode_free(struct ionode *io)
         return;
     for (uint32_t i = 0; i < io->disk_count; i++) {
         for (uint32_t f = 0; f < io->disks[i].files; f++)
-            free(io->disks[i].last[f]);
+            free(io->disks[i].last[f].block);
         free(io->disks[i].last);
         disk_free(io->disks[i].disk);
     }
@@ -230,7 +237,8 @@ static bool sequential(struct ionode *io, const struct io_request *r)
     uint64_t before = r->piece.block - r->stride;
     if (r->shared || r->piece.row == 0)
         return true;
-    if (r->file_id < d->files && d->last[r->file_id] && d->last[r->file_id][r->node] == before + 1)
+    const struct last_read *last = r->file->slot < d->files ? &d->last[r->file->slot] : NULL;
+    if (last && last->block && last->file == r->file_id && last->block[r->node] == before + 1)
         return true;
     return cache_find(io->cache, r->file_id, before);
 }
@@ -238,16 +246,21 @@ static bool sequential(struct ionode *io, const struct io_request *r)
 static void remember(struct ionode *io, const struct io_request *r)
 {
     struct io_disk *d = disk_of(io, r);
-    if (r->file_id >= d->files) {
-        uint32_t files = r->file_id + 16;
+    if (r->file->slot >= d->files) {
+        uint32_t files = r->file->slot + 16;
         d->last = xreallocarray(d->last, files, sizeof *d->last);
-        for (; d->files < files; d->files++)
-            d->last[d->files] = NULL;
+        memset(&d->last[d->files], 0, (files - d->files) * sizeof *d->last);
+        d->files = files;
     }
-    uint64_t **last = &d->last[r->file_id];
-    if (!*last)
-        *last = xcalloc(io->nodes, sizeof **last);
-    (*last)[r->node] = r->piece.block + 1;
+    struct last_read *last = &d->last[r->file->slot];
+    if (!last->block)
+        last->block = xcalloc(io->nodes, sizeof *last->block);
+    if (last->file < r->file_id) { /* another file's, or the file's before it was cut */
+        memset(last->block, 0, io->nodes * sizeof *last->block);
+        last->file = r->file_id;
+    }
+    if (last->file == r->file_id)
+        last->block[r->node] = r->piece.block + 1;
 }
 
 /* Reserves a block for reading if it is part of the file, is not in the cache, and there is an idle one for

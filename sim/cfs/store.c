@@ -22,6 +22,7 @@ struct store {
     struct store_file *files;
     void *by_path; /* a tree of those that are not gone: tsearch() */
     uint32_t ids;
+    uint32_t slots, *unused, unused_count; /* unused: of the slots that have been given out */
 };
 
 /* --- the files that it knows --- */
@@ -47,7 +48,9 @@ static void put_path(struct store *s, struct store_file *f, char *path)
 static struct store_file *add(struct store *s, const char *name)
 {
     struct store_file *f = xcalloc(1, sizeof *f);
+    f->store = s;
     f->id = s->ids++;
+    f->slot = s->unused_count ? s->unused[--s->unused_count] : s->slots++;
     f->next = s->files, f->link = &s->files;
     if (f->next)
         f->next->link = &f->next;
@@ -58,6 +61,9 @@ static struct store_file *add(struct store *s, const char *name)
 
 static void free_file(struct store_file *f)
 {
+    struct store *s = f->store;
+    s->unused = xreallocarray(s->unused, s->unused_count + 1, sizeof *s->unused);
+    s->unused[s->unused_count++] = f->slot;
     if (f->next)
         f->next->link = f->link;
     *f->link = f->next;
@@ -117,6 +123,7 @@ void store_free(struct store *s)
     }
     scratch_remove(&s->scratch);
     fence_free(s->fence);
+    free(s->unused);
     free(s->failure);
     free(s->dir);
     free(s);
@@ -287,6 +294,8 @@ int store_unlink(struct store *s, const char *path)
     int error = find_names(s, path, name, host);
     if (error)
         return error;
+    if (!*name)
+        return EBUSY; /* the folder of all */
     error = error_of(fence_unlink(s->fence, host));
     if (error == EISDIR)
         error = error_of(fence_rmdir(s->fence, host));
@@ -330,6 +339,8 @@ int store_rename(struct store *s, const char *from, const char *to)
         error = find_names(s, to, new_name, new_host);
     if (error)
         return error;
+    if (!*name || !*new_name)
+        return EBUSY;
     make_folders(s, new_host);
     error = error_of(fence_rename(s->fence, host, new_host));
     if (!error && strcmp(name, new_name) != 0)

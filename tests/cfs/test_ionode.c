@@ -118,6 +118,38 @@ static void a_read_elsewhere_brings_its_block_only(void **state)
     end(&w);
 }
 
+/* The block behind the one read last is a read in sequence; not if the file was cut, or is another, since. */
+static void a_read_is_in_sequence_with_those_of_its_file_only(void **state)
+{
+    struct world w;
+    (void)state;
+    begin(&w, 200);
+    struct io_request r = piece(&w, false, 90), behind = piece(&w, false, 92);
+    ionode_request(w.io, &r, 0);
+    run(&w);
+    assert_int_equal(store_cut(w.file, 0), 0);
+    struct store_file *same;
+    assert_int_equal(store_grow(w.file, BLOCK), 0);
+    assert_int_equal(store_open(w.store, "/cfs/f", O_RDWR | O_TRUNC, 0600, &same), 0);
+    assert_int_equal(store_grow(same, 200 * BLOCK), 0);
+    ionode_request(w.io, &behind, w.at[0]);
+    run(&w);
+    assert_int_equal(w.at[1] - w.at[0], REQUEST + SEEK + TURN + ROW);
+
+    uint32_t slot = same->slot;
+    assert_int_equal(store_unlink(w.store, "/cfs/f"), 0);
+    store_release(same), store_release(w.file);
+    assert_int_equal(store_open(w.store, "/cfs/g", O_RDWR | O_CREAT, 0600, &w.file), 0);
+    assert_int_equal(w.file->slot, slot);
+    assert_int_equal(store_grow(w.file, 200 * BLOCK), 0);
+    w.file->volume_count = 2;
+    struct io_request of_g = piece(&w, false, 94);
+    ionode_request(w.io, &of_g, w.at[1]);
+    run(&w);
+    assert_int_equal(w.at[2] - w.at[1], REQUEST + SEEK + TURN + ROW);
+    end(&w);
+}
+
 static void readers_of_a_block_under_way_share_it(void **state)
 {
     struct world w;
@@ -212,6 +244,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_read_from_disk_brings_its_group_of_rows),
         cmocka_unit_test(a_read_elsewhere_brings_its_block_only),
+        cmocka_unit_test(a_read_is_in_sequence_with_those_of_its_file_only),
         cmocka_unit_test(readers_of_a_block_under_way_share_it),
         cmocka_unit_test(a_write_is_answered_before_the_disk_has_it),
         cmocka_unit_test(dirty_neighbours_go_to_disk_together),

@@ -79,6 +79,7 @@ static int folders(void)
     good = good && lseek(other, 0, SEEK_END) == 3 && lseek(other, 0, SEEK_SET) == 0;
     good = good && read(other, text, 8) == 3 && !strcmp(text, "abc") && close(fd) == 0 && close(other) == 0;
     good = good && stat(renamed, &st) == 0 && S_ISDIR(st.st_mode) && st.st_nlink == 2 && st.st_size == 0;
+    good = good && fails(unlink("/cfs"), EBUSY) && fails(rename("/cfs", renamed), EBUSY);
     return good && unlink(inside_renamed) == 0 && remove(renamed) == 0;
 }
 
