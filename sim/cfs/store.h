@@ -21,7 +21,7 @@ struct store_file {
     uint32_t id;   /* changes with O_TRUNC, to a higher one: caches may hold blocks of the old file */
     uint32_t slot; /* among the files that there are: another's when this one is gone */
     struct store *store;
-    char *path;  /* within /cfs, as "a/b" */
+    char *path; /* within /cfs, as "a/b" */
     uint64_t size;
     uint32_t users; /* open files and calls under way; while there are any, host is open */
     int host;

@@ -6,9 +6,9 @@
 /* What some editors put before a text, and is no part of it. */
 #define TEXT_BYTE_ORDER_MARK "\xef\xbb\xbf"
 
-/* The text of a file, without a byte order mark before it, malloc'd, ended by 0. NULL with *why, not to be freed, if the file cannot be read, is a
- * folder, is larger than `most` bytes, or has a byte that is 0 or not UTF-8; *line is then that byte's line,
- * otherwise 0. */
+/* The text of a file, malloc'd, ended by 0, without a byte order mark before it. NULL with *why, not to be
+ * freed, if the file cannot be read, is a folder, is larger than `most` bytes, or has a byte that is 0 or not
+ * UTF-8; *line is then that byte's line, otherwise 0. */
 char *text_file_read(const char *path, size_t most, const char **why, int *line);
 /* The bytes of the UTF-8 character at the beginning of a text (RFC 3629); 0: there is none. */
 size_t text_character(const char *text);

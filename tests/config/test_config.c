@@ -299,8 +299,7 @@ static void included_files_are_named_by_path(void **state)
         {"/* as before:\n@include \"none.inc\"\n*/ name = \"/*\"; description = 7;",
          "folder/toy.inc:3: description: must be text in double quotes, not empty"},
         {"name = 7;", "folder/toy.inc:1: name: must be text in double quotes, not empty"},
-        {"\xef\xbb\xbfname = 7;",
-         "folder/toy.inc:1: begins with a byte order mark: save it without one"},
+        {"\xef\xbb\xbfname = 7;", "folder/toy.inc:1: begins with a byte order mark: save it without one"},
         {"name = ;", "folder/toy.inc:1: syntax error (settings are written: key = value;)"}};
     assert_int_equal(mkdir("folder", 0777), 0);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

@@ -50,8 +50,8 @@ static void check(long length)
     rule("a handler gets it", handled == 2);
 }
 
-/* Three messages have come for receives, and another for none. The receives are withdrawn in some order; whole
- * messages of another type come among them. */
+/* Three messages have come for receives, and another for none. The receives are withdrawn in some order;
+ * messages of another type have come among them. */
 static int in_order(const long length[4], const int withdrawn[3])
 {
     static char got[3][MOST];
