@@ -174,7 +174,7 @@ static bool has_mark(const char *path)
     return read && !strcmp(begin, TEXT_BYTE_ORDER_MARK);
 }
 
-/* What libconfig says of the file, or of one that it includes: of these it has read a byte order mark, too. */
+/* What libconfig says of the file, or of one that it includes, whose byte order mark it has read, too. */
 static char *syntax_error(const struct cfg_reader *r)
 {
     char *file = path_of(r, config_error_file(&r->lib));

@@ -8,8 +8,8 @@
 typedef uint64_t vtime;
 
 #define VT_NEVER UINT64_MAX
-#define VT_LAST                                                                                              \
-    (VT_NEVER - 500000 * VT_SECOND) /* where a run ends: what is put off from there has a time yet */
+/* Where a run ends at the latest: what happens then may be put off for days. */
+#define VT_LAST (VT_NEVER - 500000 * VT_SECOND)
 #define VT_SECOND UINT64_C(1000000000000)
 #define VT_MILLISECOND UINT64_C(1000000000)
 #define VT_MICROSECOND UINT64_C(1000000)

@@ -71,7 +71,7 @@ static void pio_receive(void *ctx, void *arg, vtime now)
 }
 
 /* Does the tail come with the first byte, since the network takes no time for bytes? The event of the
- * tail's passing is the earlier one then. */
+ * tail's passing is the earlier one then, and the only one. */
 static bool comes_at_once(const struct protocol *p, const struct trip *t)
 {
     return t->transit.duration == protocol_latency(p, t->m);
@@ -95,14 +95,23 @@ inline void protocol_trip_started(void *ctx, struct channel_transit *transit, vt
         evq_put(p->q, first_byte, transit->to, pio_receive, p, t->m);
 }
 
+/* A trip whose bytes the processors move has ended. */
+static void bytes_moved(struct protocol *p, struct trip *t, vtime now)
+{
+    if (t->m->bytes && comes_at_once(p, t))
+        pio_receive(p, t->m, now);
+    if (t->kind == TRIP_LONG)
+        sent(p, t, now);
+    if (p->movers)
+        movers_done(p->movers, &t->transit, now);
+}
+
 inline void protocol_trip_done(void *ctx, struct channel_transit *transit, vtime now)
 {
     struct protocol *p = ctx;
     struct trip *t = trip_of(transit);
     protocol_note(p, t, MESSAGE_LEFT, now);
-    if (t->kind == TRIP_LONG)
-        sent(p, t, now);
-    if (t->kind != TRIP_SHORT && p->movers)
-        movers_done(p->movers, transit, now);
+    if (t->kind != TRIP_SHORT)
+        bytes_moved(p, t, now);
     protocol_trip_ends(p, t->m, now);
 }

@@ -28,7 +28,8 @@ void charge_undo(struct node *n, enum node_task task, vtime t)
 
 vtime node_system_time(const struct node *n, vtime t)
 {
-    return n->system_milli == 1000 ? t : t * n->system_milli / 1000;
+    const uint64_t milli = n->system_milli;
+    return milli == 1000 ? t : t / 1000 * milli + t % 1000 * milli / 1000; /* t * milli may overflow */
 }
 
 /* --- the system's part, in interrupts --- */

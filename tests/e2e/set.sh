@@ -24,6 +24,23 @@ check "some faster nodes make it faster" test "$(ratio fast plain)" \< 1
 run -q -n 4 --set node.fast_every=2 ring
 check "one of the two keys is not enough" said "fast_clock_mhz: missing"
 
+# Copying 30,000 bytes takes a node 30 s, and one with a thousandth of the clock 30,000 s.
+cat >copies.c <<'E'
+#include <nx.h>
+#include <stdio.h>
+int main(void)
+{
+    static char buf[30000];
+    csend(1, buf, sizeof buf, mynode(), 0);
+    crecv(1, buf, sizeof buf);
+    printf("%.0f\n", dclock());
+    return 0;
+}
+E
+"$BUILD/nxcc" -O2 -o copies copies.c
+run -q -n 1 --set system.copy_us_per_byte=1000 --set node.fast_every=1 --set node.fast_clock_mhz=0.04 copies
+check "a node's system may be very slow" grep -qxE "3000[0-9]" out
+
 compile interrupted
 for mhz in 10 400; do
     run -m delta -n 2 --set node.fast_every=2 --set node.fast_clock_mhz=$mhz interrupted

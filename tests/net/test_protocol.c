@@ -19,6 +19,7 @@ struct fake {
     struct message *seen[16], *kept;
     int seen_count, arrived_count;
     vtime complete[16];
+    vtime moved[2]; /* by programmed I/O: sending, receiving */
 };
 
 vtime endpoint_work(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
@@ -30,7 +31,9 @@ vtime endpoint_work(void *ctx, uint32_t node, enum protocol_task task, vtime at,
 
 void endpoint_pio(void *ctx, uint32_t node, enum protocol_task task, vtime at, vtime t)
 {
-    (void)ctx, (void)node, (void)task, (void)at, (void)t;
+    struct fake *f = ctx;
+    (void)node, (void)at;
+    f->moved[task] += t;
 }
 
 bool endpoint_envelope(void *ctx, struct message *m, vtime now)
@@ -295,6 +298,25 @@ static void a_processor_that_moves_one_message_at_once_takes_the_directions_in_t
     assert_int_equal(exchange(1), exchange(0) + data);
 }
 
+/* Also where the network takes no time for them. */
+static void both_processors_move_the_bytes_of_a_long_message(void **state)
+{
+    (void)state;
+    for (uint64_t network = 0; network < 2; network++) {
+        struct cfg_machine cfg = IPSC;
+        struct topo topo;
+        struct fake f = {.q = evq_new(), .room = true};
+        cfg.long_ps_per_byte = network, cfg.send_ps_per_byte = 7, cfg.receive_ps_per_byte = 9;
+        assert_true(topo_hypercube(&topo, NODES, 3));
+        f.protocol = protocol_new(&cfg, &topo, f.q, &f);
+        send(&f, 1, 5, 1000, 0);
+        run(&f);
+        assert_int_equal(f.moved[PROTOCOL_SEND], 7000);
+        assert_int_equal(f.moved[PROTOCOL_RECEIVE], 9000);
+        end(&f);
+    }
+}
+
 static vtime from_to_with_host(uint32_t from, uint32_t to, size_t bytes)
 {
     static char data[10000];
@@ -429,6 +451,7 @@ int main(void)
         cmocka_unit_test(a_later_message_does_not_overtake_one_to_all),
         cmocka_unit_test(nothing_reaches_a_node_before_its_horizon),
         cmocka_unit_test(a_processor_that_moves_one_message_at_once_takes_the_directions_in_turn),
+        cmocka_unit_test(both_processors_move_the_bytes_of_a_long_message),
         cmocka_unit_test(a_trip_to_or_from_the_host_crosses_its_link_and_then_the_cube_from_node_0),
         cmocka_unit_test(what_the_host_sends_to_all_goes_to_node_0_and_on_from_there),
         cmocka_unit_test(a_later_message_of_the_host_does_not_overtake_its_message_to_all),
