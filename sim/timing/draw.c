@@ -1,6 +1,7 @@
 /* draw.c - see draw.h. */
 #include "timing/draw.h"
-#include <stdbool.h>
+#include <stdlib.h>
+#include "kernel/xalloc.h"
 
 /* What is drawn: numbers for different purposes are independent. */
 enum purpose { SPEED, START, MESSAGE, INTERRUPT, PRIORITY, POINT };
@@ -50,18 +51,27 @@ static uint64_t draw_any(uint64_t x, uint64_t bound)
 
 /* --- method pct --- */
 
-static uint64_t priority(const struct draw *d, uint32_t node)
+struct priority {
+    uint64_t value;
+    uint32_t node;
+};
+
+static int from_highest(const void *a, const void *b)
 {
-    return number(d, PRIORITY, node, 0);
+    const struct priority *x = a, *y = b;
+    return x->value != y->value ? (x->value < y->value) - (x->value > y->value)
+                                : (x->node > y->node) - (x->node < y->node);
 }
 
-static uint32_t higher_priorities(const struct draw *d, uint32_t nodes, uint32_t node)
+static void draw_priorities(const struct draw *d, uint32_t nodes, struct draw_node *node)
 {
-    uint64_t own = priority(d, node);
-    uint32_t higher = 0;
+    struct priority *list = xcalloc(nodes, sizeof *list);
     for (uint32_t i = 0; i < nodes; i++)
-        higher += priority(d, i) > own || (priority(d, i) == own && i < node);
-    return higher;
+        list[i] = (struct priority){number(d, PRIORITY, i, 0), i};
+    qsort(list, nodes, sizeof *list, from_highest);
+    for (uint32_t i = 0; i < nodes; i++)
+        node[list[i].node].behind = i;
+    free(list);
 }
 
 /* The last of the points that the node has passed when it comes to its k-th message or interrupt, counted
@@ -98,10 +108,14 @@ static uint64_t by_point(const struct draw_node *n, uint64_t bound, uint64_t k)
 
 /* --- */
 
-struct draw_node draw_node(const struct draw *d, uint32_t nodes, uint32_t node)
+struct draw_node *draw_nodes(const struct draw *d, uint32_t nodes)
 {
-    bool pct = d->method == DRAW_PCT;
-    return (struct draw_node){d, nodes, node, pct ? higher_priorities(d, nodes, node) : 0};
+    struct draw_node *node = xcalloc(nodes, sizeof *node);
+    for (uint32_t i = 0; i < nodes; i++)
+        node[i] = (struct draw_node){d, nodes, i, 0};
+    if (d->method == DRAW_PCT)
+        draw_priorities(d, nodes, node);
+    return node;
 }
 
 static uint64_t draw_once(const struct draw_node *n, enum purpose what, uint64_t bound)

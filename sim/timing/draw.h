@@ -42,7 +42,8 @@ struct draw_node {
     uint32_t behind;      /* pct: so many nodes have a higher priority */
 };
 
-struct draw_node draw_node(const struct draw *d, uint32_t nodes, uint32_t node);
+/* Those of all nodes, malloc'd. */
+struct draw_node *draw_nodes(const struct draw *d, uint32_t nodes);
 /* By how many parts per million the node computes slower; how much later its program starts, its k-th message
  * leaves, its k-th handler becomes due. k counts from 0. */
 uint32_t draw_speed(const struct draw_node *n);

@@ -45,15 +45,17 @@ struct timing *timing_new(const struct draw *draw, const struct plan *plan, uint
 {
     assert(!draw != !plan && (!plan || plan->nodes == nodes));
     struct timing *t = xcalloc(1, sizeof *t + (nodes + 1) * sizeof *t->node);
+    struct draw_node *drawn = draw ? draw_nodes(draw, nodes + 1) : NULL;
     t->nodes = nodes;
     for (uint32_t i = 0; i <= nodes; i++) {
         if (draw) {
-            t->node[i].drawn = draw_node(draw, nodes + 1, i);
+            t->node[i].drawn = drawn[i];
             draw_for(&t->node[i]);
         } else {
             plan_for(&t->node[i], &plan->node[i]);
         }
     }
+    free(drawn);
     return t;
 }
 

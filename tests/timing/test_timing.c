@@ -22,11 +22,18 @@ static struct draw usual(uint64_t seed)
 
 /* --- draws --- */
 
+static struct draw_node drawn(const struct draw *d, uint32_t nodes, uint32_t node)
+{
+    struct draw_node *all = draw_nodes(d, nodes), n = all[node];
+    free(all);
+    return n;
+}
+
 static void random_delays_are_within_bounds_half_of_them_0(void **state)
 {
     (void)state;
     struct draw d = usual(1);
-    struct draw_node n = draw_node(&d, NODES, 2);
+    struct draw_node n = drawn(&d, NODES, 2);
     int zeros = 0, ties = 0, long_ones = 0;
     for (uint64_t k = 0; k < DRAWS; k++) {
         vtime t = draw_message(&n, k);
@@ -46,7 +53,7 @@ static void bounds_of_0_delay_nothing(void **state)
         d.method = (enum draw_method)method;
         d.messages = d.interrupts = d.start = 0, d.speed_ppm = 0;
         for (uint32_t i = 0; i < NODES; i++) {
-            struct draw_node n = draw_node(&d, NODES, i);
+            struct draw_node n = drawn(&d, NODES, i);
             assert_int_equal(draw_speed(&n) + draw_start(&n), 0);
             for (uint64_t k = 0; k < 100; k++)
                 assert_int_equal(draw_message(&n, k) + draw_interrupt(&n, k), 0);
@@ -58,8 +65,7 @@ static void delays_differ_by_seed_node_count_and_purpose(void **state)
 {
     (void)state;
     struct draw d = usual(1), other = usual(2);
-    struct draw_node a = draw_node(&d, NODES, 0), b = draw_node(&d, NODES, 1),
-                     c = draw_node(&other, NODES, 0);
+    struct draw_node a = drawn(&d, NODES, 0), b = drawn(&d, NODES, 1), c = drawn(&other, NODES, 0);
     d.interrupts = other.interrupts = d.messages;
     int same_node = 0, same_seed = 0, same_purpose = 0, same_count = 0;
     for (uint64_t k = 0; k < 1000; k++) {
@@ -79,7 +85,7 @@ static void pct_delays_by_priority_and_more_after_a_point(void **state)
     d.method = DRAW_PCT, d.depth = 1;
     bool behind[NODES] = {false};
     for (uint32_t i = 0; i < NODES; i++) {
-        struct draw_node n = draw_node(&d, NODES, i);
+        struct draw_node n = drawn(&d, NODES, i);
         assert_true(n.behind < NODES && !behind[n.behind]); /* priorities are a permutation */
         behind[n.behind] = true;
         for (uint64_t k = 0; k < 10; k++)
@@ -88,7 +94,7 @@ static void pct_delays_by_priority_and_more_after_a_point(void **state)
     d.depth = 2, d.length = 40;
     int dropped = 0;
     for (uint32_t i = 0; i < NODES; i++) {
-        struct draw_node n = draw_node(&d, NODES, i);
+        struct draw_node n = drawn(&d, NODES, i);
         vtime first = draw_message(&n, 0), last = draw_message(&n, 9);
         assert_true(first == last || last == d.messages || first == d.messages);
         dropped += last == d.messages;
@@ -107,7 +113,7 @@ static void pct_priorities_differ_by_seed(void **state)
         struct draw d = usual(seed);
         d.method = DRAW_PCT;
         for (uint32_t i = 0; i < NODES; i++) {
-            uint32_t behind = draw_node(&d, NODES, i).behind;
+            uint32_t behind = drawn(&d, NODES, i).behind;
             first[i] += behind == 0, last[i] += behind == NODES - 1;
         }
     }
@@ -115,6 +121,20 @@ static void pct_priorities_differ_by_seed(void **state)
         assert_in_range(first[i], 70, 130);
         assert_in_range(last[i], 70, 130);
     }
+}
+
+static void pct_priorities_of_many_nodes_are_drawn_soon(void **state)
+{
+    enum { MANY = 1 << 20 };
+    (void)state;
+    struct draw d = usual(1);
+    d.method = DRAW_PCT;
+    struct draw_node *all = draw_nodes(&d, MANY);
+    uint64_t sum = 0;
+    for (uint32_t i = 0; i < MANY; i++)
+        sum += all[i].behind;
+    assert_int_equal(sum, (uint64_t)MANY * (MANY - 1) / 2);
+    free(all);
 }
 
 static void the_text_of_a_draw_is_read_back(void **state)
@@ -210,7 +230,7 @@ static void the_same_draws_come_from_a_timing(void **state)
     (void)state;
     struct draw d = usual(11);
     struct timing *t = timing_new(&d, NULL, NODES);
-    struct draw_node n = draw_node(&d, NODES + 1, 3), host = draw_node(&d, NODES + 1, NODES);
+    struct draw_node n = drawn(&d, NODES + 1, 3), host = drawn(&d, NODES + 1, NODES);
     for (uint64_t k = 0; k < 50; k++) {
         assert_int_equal(timing_next_message(t, 3), draw_message(&n, k));
         assert_int_equal(timing_next_interrupt(t, TIMING_HOST), draw_interrupt(&host, k));
@@ -333,6 +353,7 @@ int main(void)
         cmocka_unit_test(delays_differ_by_seed_node_count_and_purpose),
         cmocka_unit_test(pct_delays_by_priority_and_more_after_a_point),
         cmocka_unit_test(pct_priorities_differ_by_seed),
+        cmocka_unit_test(pct_priorities_of_many_nodes_are_drawn_soon),
         cmocka_unit_test(the_text_of_a_draw_is_read_back),
         cmocka_unit_test(wrong_texts_of_draws_are_refused),
         cmocka_unit_test(delays_of_a_schedule_come_in_the_order_of_counts),
