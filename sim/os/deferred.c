@@ -57,7 +57,7 @@ static vtime time_of(const struct node *n, vtime noted)
 bool deferred_has_room(const struct node *n)
 {
     return n->deferred.count < DEFERRED_MOST &&
-           (n->call.since | n->lp.clock.units) >> DEFERRED_TIME_BITS == 0;
+           (n->call.since | n->lp.clock.units) >> (DEFERRED_TIME_BITS - 1) == 0; /* the call may last */
 }
 
 static __attribute__((noinline, cold)) struct deferred_cold *new_cold(struct node *n)
