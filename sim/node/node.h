@@ -91,8 +91,8 @@ struct mailbox {
 };
 _Static_assert(sizeof(struct mailbox) == CACHE_LINE, "a mailbox does not fit into a line");
 
-/* Commit times that are noted of deferred calls, and the node's clock: 20 hours. Calls are deferred in the first
- * half of them. */
+/* Commit times that are noted of deferred calls, and the node's clock: 20 hours. Calls are deferred in the
+ * first half of them. */
 enum { DEFERRED_TIME_BITS = 56 };
 
 /* A node's messages that wait to be committed should still be in the caches then. */

@@ -20,8 +20,9 @@ for seed in 1 2 3 4 5 6; do
     done
 done
 
-# Times of deferred calls are noted with 56 bits: the program runs before, at and after 2^56 ps.
-for later in 72057560000 72057590000 72057600000; do
+# Times of deferred calls are noted with 56 bits, of which one is for the call's own time: the program runs before, at and
+# after 2^55 and 2^56 ps.
+for later in 36028760000 36028790000 36028800000 72057560000 72057590000 72057600000; do
     run_results -w 1 -n 7 flushing 3 6 $later | sed 's/flushing/talk/' >one
     run_results -w 1 -n 7 talk 3 6 $later >other
     check "after $later us" diff one other
