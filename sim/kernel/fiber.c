@@ -1,5 +1,6 @@
 /* fiber.c - see fiber.h. */
 #include "kernel/fiber.h"
+#include <stdint.h>
 #include <stdlib.h>
 #include "kernel/turn_thread.h"
 
@@ -70,6 +71,29 @@ static void free_thread(void *thread)
 #endif
 }
 
+/* A switch keeps the x87 unit's control word and all of SSE's, but not the x87 unit's flags of exceptions.
+ * These are put aside before the switch, which would trap if one is not masked. */
+enum { X87_FLAGS = 0x3f };
+
+static inline unsigned take_x87_flags(void)
+{
+    uint16_t status;
+    __asm__ volatile("fnstsw %0" : "=a"(status));
+    if (__builtin_expect(status & X87_FLAGS, 0))
+        __asm__ volatile("fnclex");
+    return status & X87_FLAGS;
+}
+
+static __attribute__((noinline, cold)) void give_x87_flags(unsigned flags)
+{
+    struct {
+        uint32_t control, status, others[5];
+    } unit;
+    __asm__ volatile("fnstenv %0" : "=m"(unit));
+    unit.status |= flags;
+    __asm__ volatile("fldenv %0" ::"m"(unit));
+}
+
 /* Another fiber may have been there before, and have been forgotten in the middle of its functions. */
 static void clean(void *stack, size_t size)
 {
@@ -83,6 +107,8 @@ static void clean(void *stack, size_t size)
 static void start(struct transfer t)
 {
     struct fiber *f = t.data;
+    const uint32_t usual = 0x1f80; /* SSE's: not those of whoever has made the fiber */
+    __asm__ volatile("ldmxcsr %0" ::"m"(usual));
     __asm__ volatile(".cfi_undefined rip"); /* nobody called: here a debugger's list of calls ends */
     arrived(NULL, &f->back_stack, &f->back_size);
     f->back = t.from;
@@ -144,15 +170,19 @@ void fiber_yield(struct fiber *f)
         yield_on_thread(f);
         return;
     }
+    unsigned flags = take_x87_flags();
     leaving(&f->fake, f->back_stack, f->back_size);
     switch_thread(NULL, f->back_thread);
     struct transfer t = jump_fcontext(f->back, f);
     arrived(f->fake, &f->back_stack, &f->back_size);
     f->back = t.from;
+    if (__builtin_expect(flags != 0, 0))
+        give_x87_flags(flags);
 }
 
 _Noreturn void fiber_finish(struct fiber *f)
 {
+    take_x87_flags();
     leaving(NULL, f->back_stack, f->back_size);
     switch_thread(NULL, f->back_thread);
     jump_fcontext(f->back, f);

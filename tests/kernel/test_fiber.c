@@ -1,6 +1,7 @@
 /* Fibers keep their place and their floating-point state, and any number of them take turns; with threads of
  * their own, too. */
 #include <errno.h>
+#include <fenv.h>
 #include <pthread.h>
 #include <setjmp.h>
 #include <signal.h>
@@ -49,6 +50,45 @@ static void fibers_take_turns(void **state)
         assert_true(t[i].sum > 0.999 && t[i].sum < 1.001);
         fiber_end(&t[i].self);
         free(t[i].stack);
+    }
+}
+
+/* --- floating-point flags --- */
+
+struct flagged {
+    struct fiber self;
+    char stack[STACK];
+    int raises, before, after;
+};
+
+static void raise_and_look(void *arg)
+{
+    struct flagged *f = arg;
+    f->before = fetestexcept(FE_ALL_EXCEPT);
+    feraiseexcept(f->raises);                /* overflow: by the x87 unit; invalid: by SSE */
+    feenableexcept(f->raises & FE_OVERFLOW); /* it would trap at the next operation */
+    fiber_yield(&f->self);
+    f->after = fetestexcept(FE_ALL_EXCEPT);
+    feclearexcept(FE_ALL_EXCEPT);
+    fiber_finish(&f->self);
+}
+
+static void flags_of_exceptions_are_a_fibers_own(void **state)
+{
+    static struct flagged f[3] = {{.raises = FE_OVERFLOW}, {.raises = FE_INVALID}, {.raises = 0}};
+    (void)state;
+    feclearexcept(FE_ALL_EXCEPT);
+    for (int turn = 0; turn < 2; turn++)
+        for (int i = 0; i < 3; i++) {
+            if (turn == 0)
+                fiber_begin(&f[i].self, f[i].stack, STACK, raise_and_look, &f[i]);
+            fiber_resume(&f[i].self);
+            assert_int_equal(fetestexcept(FE_ALL_EXCEPT), 0);
+        }
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(f[i].before, 0);
+        assert_int_equal(f[i].after, f[i].raises);
+        fiber_end(&f[i].self);
     }
 }
 
@@ -207,9 +247,11 @@ static void calls_go_where_it_waits(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(fibers_take_turns), cmocka_unit_test(a_fiber_may_have_a_thread),
-        cmocka_unit_test(it_may_finish_or_never_begin), cmocka_unit_test(who_has_the_turn_takes_sigint),
-        cmocka_unit_test(calls_go_where_it_waits)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(fibers_take_turns),
+                                       cmocka_unit_test(flags_of_exceptions_are_a_fibers_own),
+                                       cmocka_unit_test(a_fiber_may_have_a_thread),
+                                       cmocka_unit_test(it_may_finish_or_never_begin),
+                                       cmocka_unit_test(who_has_the_turn_takes_sigint),
+                                       cmocka_unit_test(calls_go_where_it_waits)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
