@@ -88,11 +88,19 @@ static void ignored(void *ctx, size_t used)
     (void)ctx, (void)used;
 }
 
+/* Programs know these addresses, by sbrk: they are where this computer has nothing of its own; behind all
+ * blocks, and where no nodes are. */
+static void *counted_at(const struct node *n)
+{
+    const struct span_range *usual = &SPAN_RANGES[SPAN_USUAL];
+    return n->guest.heap_start + (usual->to - usual->from) + (n->guest.region->low ? usual->to : 0);
+}
+
 static bool make_parts(struct node_asan *a, const struct node *n)
 {
     size_t heap = n->guest.region->heap_bytes;
     void *counted =
-        mmap(NULL, heap, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+        mmap(counted_at(n), heap, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (counted == MAP_FAILED)
         return false;
     a->counted = counted, a->counted_bytes = heap;
