@@ -133,12 +133,12 @@ void machine_run(struct machine *m)
     outside_begin(m);
     begin_schedule(m);
     run_events(m);
-    races_over(m->sys.races);
     outside_end(m);
     for (uint32_t i = 0; i < machine_nodes(m); i++)
         note_end(m, m->sys.nodes[i]);
     if (m->sys.host)
         note_end(m, m->sys.host);
+    races_over(m->sys.races);
     if (m->sys.recorder)
         protocol_record_end(m->sys.schedule.protocol);
     end_schedule(m);

@@ -208,6 +208,8 @@ static void add_node(struct race_reports *t, const struct node_races *r, size_t 
         return;
     t->list = xreallocarray(t->list, t->count + f->count, sizeof *t->list);
     for (uint32_t i = 1; i < f->count; i++) {
+        if (!f->list[i].count)
+            continue;
         struct race_report *new = &t->list[t->count];
         *new = report_of(t->texts, r, &f->list[i], nodes);
         new->first_number = r->number, new->order = t->count++;

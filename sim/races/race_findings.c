@@ -40,15 +40,32 @@ void race_findings_add(struct race_findings *t, const struct race_finding *f)
     uint32_t bucket = (uint32_t)((pair_of(f) * UINT64_C(0x9e3779b97f4a7c15)) >> 40) % BUCKETS;
     struct race_finding *there = find(t, f, bucket);
     if (there) {
+        if (there->segment != t->segment)
+            there->segment = t->segment, there->before = there->count;
         there->count++;
     } else if (t->count == RACE_MOST_FINDINGS) {
         t->dropped++;
     } else {
         struct race_finding *new = &t->list[t->count];
         *new = *f;
-        new->count = 1, new->next = t->buckets[bucket];
+        new->count = 1, new->before = 0, new->segment = t->segment;
+        new->next = t->buckets[bucket];
         t->buckets[bucket] = t->count++;
     }
+}
+
+void race_findings_begin_segment(struct race_findings *t)
+{
+    t->segment++;
+    t->dropped_before = t->dropped;
+}
+
+void race_findings_forget_segment(struct race_findings *t)
+{
+    for (uint32_t i = 1; i < t->count; i++)
+        if (t->list[i].segment == t->segment)
+            t->list[i].count = t->list[i].before;
+    t->dropped = t->dropped_before;
 }
 
 void race_findings_end(struct race_findings *t)

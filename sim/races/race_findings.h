@@ -26,14 +26,16 @@ struct race_finding {
     enum race_what what;
     struct race_side earlier, later; /* in this run; of buffers under way: `earlier` is the call's */
     uintptr_t offset;                /* of the memory, from the program's start */
-    uint64_t count;
+    uint64_t count, segment, before; /* the last segment in which it was found; the count before that */
     uint32_t next;
 };
 
 struct race_findings {
     struct race_finding *list; /* list[0] is not used */
     uint32_t count, room;
-    uint64_t dropped; /* found when there was no room left: RACE_MOST_FINDINGS, or RACE_MOST_PLACES */
+    /* found when there was no room left: RACE_MOST_FINDINGS, or RACE_MOST_PLACES; before this segment */
+    uint64_t dropped, dropped_before;
+    uint64_t segment; /* what the program computes now, up to its next call or its next handler */
     uint32_t *buckets;
 };
 
@@ -41,5 +43,9 @@ enum { RACE_MOST_FINDINGS = 4096 };
 
 /* Counts f, whose count is not read. Of a pair of places the first is kept, whichever came earlier. */
 void race_findings_add(struct race_findings *t, const struct race_finding *f);
+/* The program begins another segment. What was found in this one is not counted: a race that was found in no
+ * other has a count of 0 then. */
+void race_findings_begin_segment(struct race_findings *t);
+void race_findings_forget_segment(struct race_findings *t);
 void race_findings_end(struct race_findings *t);
 #endif

@@ -132,7 +132,7 @@ static void end_word(struct node_races *r, const struct node *n, struct race_bef
     of[RACE_MASKED_READ].raced = b->cell.of[RACE_MASKED_READ].raced;
 }
 
-static void begin_anew(struct race_restored *t)
+void race_restored_forget(struct race_restored *t)
 {
     for (uint32_t i = 1; i < t->count; i++)
         t->buckets[bucket_of(t->list[i].word)] = 0;
@@ -147,12 +147,12 @@ void race_restored_run_ends(struct node_races *r, const struct node *n)
     for (uint32_t i = 0; i < t->waiting_count; i++)
         if (t->list[t->waiting[i].word].stays)
             race_findings_add(&r->findings, &t->waiting[i].finding);
-    begin_anew(t);
+    race_restored_forget(t);
 }
 
 void race_restored_give_up(struct race_restored *t, struct race_findings *to)
 {
     for (uint32_t i = 0; i < t->waiting_count; i++)
         race_findings_add(to, &t->waiting[i].finding);
-    begin_anew(t);
+    race_restored_forget(t);
 }

@@ -50,6 +50,7 @@ void race_restored_wait(struct race_restored *t, const struct race_before *word,
                         const struct race_finding *f);
 /* The run is over. */
 void race_restored_run_ends(struct node_races *r, const struct node *n);
-/* The run will not end: its races are told. */
+/* The run will not end: its races are told, or forgotten. */
 void race_restored_give_up(struct race_restored *t, struct race_findings *to);
+void race_restored_forget(struct race_restored *t);
 #endif

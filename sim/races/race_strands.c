@@ -3,6 +3,7 @@
 #include <string.h>
 #include "kernel/crossing.h"
 #include "kernel/xalloc.h"
+#include "node/system.h"
 #include "net/protocol.h"
 #include "os/due.h"
 #include "os/order.h"
@@ -70,7 +71,22 @@ void race_set_on(struct node *n)
 static void hear_call_ends(struct observer *by, struct node *n)
 {
     checker(by)->since = node_now(n);
+    race_findings_begin_segment(&checker(by)->findings);
     race_set_on(n);
+}
+
+/* The program is stopped while it computes: how far ahead of the end it has come, depends on the engine and
+ * its threads. Not so at the limit of time, which nobody passes, and where the program itself has failed. */
+static void hear_ends(struct observer *by, struct node *n, vtime t)
+{
+    struct node_races *r = checker(by);
+    const struct schedule *s = &n->sys->schedule;
+    bool in_call = n->call.name && n->call.since < t;
+    bool fails = s->stop == STOP_FAILED && s->stop_at.address == n->lp.address;
+    if (!n->end.cut_short || in_call || fails || s->stop == STOP_VIRTUAL_TIME)
+        return;
+    race_findings_forget_segment(&r->findings);
+    race_restored_forget(&r->restored);
 }
 
 /* --- hearing --- */
@@ -272,6 +288,7 @@ static void hear_handler_begins(struct observer *by, struct node *n, const struc
     begin_run(c, node_now(n));
     race_clock_join(&c->handlers.heard, f.heard);
     race_clock_free(f.heard);
+    race_findings_begin_segment(&c->findings);
     race_set_on(n);
 }
 
@@ -282,6 +299,7 @@ static void hear_handler_ends(struct observer *by, struct node *n)
     r->handlers.runs = false;
     r->main.released = true;
     r->since = node_now(n);
+    race_findings_begin_segment(&r->findings);
     race_set_on(n);
 }
 
@@ -330,6 +348,7 @@ void races_loaded(struct node *n, struct node *host)
 
 const struct announcements race_observer = {
     .in_order = true,
+    .ends = hear_ends,
     .call_ends = hear_call_ends,
     .sends = hear_sends,
     .sent = hear_sent,

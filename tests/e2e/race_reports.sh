@@ -145,6 +145,14 @@ check "exit status of wrong input" ended_with 65
 run --suppress nowhere jobs
 check "a file that is not there is said" said 'nowhere: '
 
+# How far node 1 computes ahead of the error of node 0 depends on the engine and its threads.
+build stopped_early --races
+for how in "-w 1" "-w 3 --shuffle 5" "--engine reference"; do
+    # shellcheck disable=SC2086
+    run -m delta -n 2 $how stopped_early
+    check "$how: what a node computes when another fails is left out" said '^  found  *5 times on node 1; '
+done
+
 # In the source.
 sed 's|^        done++;|        done++; /* nxcc: race-ok */|' "$tests/races/jobs.c" >commented.c
 check "a comment in the source compiles" "$BUILD/nxcc" -O0 -g --races -o commented commented.c
