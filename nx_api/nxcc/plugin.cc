@@ -144,13 +144,21 @@ void read_files(const arguments &a)
     note_costs(a.costs);
 }
 
-/* nxc_enter saves the registers of plain x86-64 only, and uses the stack below the pointer. Only now has GCC
- * declared its built-in functions. */
+/* nxc_enter saves the registers of plain x86-64 only. */
+void refuse_avx()
+{
+    static bool refused;
+    if (TARGET_AVX && !refused)
+        error("nxcc: node programs are compiled for plain x86-64, so that they compute the same on every "
+              "computer: leave out %<-mavx%>, a %<-march%> that has it, and functions with such a "
+              "%<target%>");
+    refused = refused || TARGET_AVX;
+}
+
+/* nxc_enter uses the stack below the pointer. Only now has GCC declared its built-in functions. */
 void start_unit(void *, void *)
 {
-    if (TARGET_AVX)
-        error("nxcc: node programs are compiled for plain x86-64, so that they compute the same on every "
-              "computer: leave out %<-mavx%> and a %<-march%> that has it");
+    refuse_avx();
     if (TARGET_RED_ZONE)
         error("nxcc: node programs need %<-mno-red-zone%>");
     costs_check_built_in();
@@ -158,6 +166,7 @@ void start_unit(void *, void *)
 
 void begin_function(void *, void *)
 {
+    refuse_avx(); /* a function may have a target of its own */
     purity_prepare_function();
     race_address_restore();
 }

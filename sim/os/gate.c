@@ -30,8 +30,9 @@ static __attribute__((noinline, cold)) void fail_lookahead(struct node *n)
     node_fail_in(n, __builtin_frame_address(0),
                  "%s: called after %" PRIu64
                  " cost units of computing, within the program's lookahead of %" PRIu64
-                 ": a function of the program has the name of one of the C library's, or nxcc has a bug; "
-                 "compile with -O0, which makes no lookahead, and report it",
+                 ": a function of the program has the name of one of the C library's, the program has "
+                 "written outside of its arrays (nxcc --asan finds that), or nxcc has a bug; compile with "
+                 "-O0, which makes no lookahead, and report it",
                  n->call.name, spent, spent + clock_lookahead_units(&n->lp));
 }
 

@@ -87,7 +87,12 @@ done
 "$BUILD/nxcc" -O3 -march=native -c processor.c 2>err
 check "-march=native: a note, and nothing else" [ "$(cat err)" = "nxcc: note: -march=native is left out: node programs compute the same on every computer" ]
 "$BUILD/nxcc" -O3 -march=haswell -c processor.c 2>err
-check "-march=haswell: refused, which would let it compute differently" said "leave out .*-mavx.* and a .*-march.* that has it"
+check "-march=haswell: refused, which would let it compute differently" said "leave out .*-mavx.*, a .*-march.* that has it"
+for attribute in 'target("avx2,fma")' 'target_clones("avx2", "default")'; do
+    echo "__attribute__(($attribute)) double of(double x) { return x * x + 1; }" >own_target.c
+    "$BUILD/nxcc" -O2 -c own_target.c 2>err
+    check "$attribute: refused, too" said 'functions with such a .*target'
+done
 
 # --- the example ---
 example "$page" pi.c 2
