@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include "cli/commands.h"
 #include "cli/gdb_start.h"
@@ -12,6 +11,7 @@
 #include "cli/installation.h"
 #include "cli/other_binary.h"
 #include "cli/program_options.h"
+#include "cli/result_paths.h"
 #include "cli/run_files.h"
 #include "cli/say.h"
 #include "guest/elffile.h"
@@ -131,65 +131,10 @@ static const char DOC[] =
     "Example:\n"
     "  nxcc -O2 -o ring ring.c && touchstone run -m ipsc860 -n 16 ring";
 
-struct written {
-    const char *files[8]; /* NULL: not asked for */
-};
-
-/* The files that a run may write. */
-static struct written written_by(const struct arguments *a)
+static struct result_paths results_of(const struct arguments *a)
 {
-    return (struct written){
+    return (struct result_paths){
         {a->json, a->deadlock, a->races, a->profile, a->history, a->trace.path, a->timing.record, a->sarif}};
-}
-
-enum { MOST_WRITTEN = sizeof(struct written) / sizeof(char *) };
-
-/* How many of the files that a run may write, or of these, with only_dash, standard output. */
-static int written_files(const struct arguments *a, bool only_dash)
-{
-    struct written w = written_by(a);
-    int count = 0;
-    for (size_t i = 0; i < MOST_WRITTEN; i++)
-        count += w.files[i] && (!only_dash || !strcmp(w.files[i], "-"));
-    return count;
-}
-
-/* Do two paths name one entry of a folder? */
-static bool is_same_entry(const char *a, const char *b)
-{
-    struct stat in, other;
-    if (strcmp(basename(a), basename(b)) != 0)
-        return false;
-    char *folder = xasprintf("%.*s.", (int)(basename(a) - a), a);
-    char *others = xasprintf("%.*s.", (int)(basename(b) - b), b);
-    bool same = stat(folder, &in) == 0 && stat(others, &other) == 0 && in.st_ino == other.st_ino &&
-                in.st_dev == other.st_dev;
-    free(folder);
-    free(others);
-    return same;
-}
-
-/* A path that two of the results have, so that one of them would be lost; NULL: there is none. */
-static const char *written_twice(const struct arguments *a)
-{
-    struct written w = written_by(a);
-    struct stat st;
-    for (size_t i = 0; i < MOST_WRITTEN; i++)
-        for (size_t k = 0; w.files[i] && k < i; k++)
-            if (w.files[k] && is_same_entry(w.files[i], w.files[k]) &&
-                (stat(w.files[i], &st) != 0 || S_ISREG(st.st_mode)))
-                return w.files[i];
-    return NULL;
-}
-
-/* A run that takes an hour should not end with a result that has no folder. */
-static bool results_possible(const struct arguments *a, char **error)
-{
-    struct written w = written_by(a);
-    for (size_t i = 0; i < MOST_WRITTEN; i++)
-        if (w.files[i] && !atomic_file_possible(w.files[i], error))
-            return false;
-    return true;
 }
 
 /* Has the run one of the nodes of --trace-nodes? */
@@ -203,10 +148,12 @@ static bool traces_some(const struct arguments *a)
 
 static void check(struct argp_state *state, struct arguments *a)
 {
-    if (written_files(a, true) > 1)
+    const struct result_paths results = results_of(a);
+    const char *twice = result_paths_twice(&results);
+    if (result_paths_dashes(&results) > 1)
         argp_error(state, "standard output ('-') has room for one file");
-    else if (written_twice(a))
-        argp_error(state, "%s has room for one result, and two are to be written there", written_twice(a));
+    else if (twice)
+        argp_error(state, "%s has room for one result, and two are to be written there", twice);
     if (a->engine && !cli_is_engine(a->engine))
         argp_error(state, "--engine takes 'fast' or 'reference', not '%s'", a->engine);
     if ((a->what.host || a->what.more_count) && a->profile)
@@ -424,6 +371,7 @@ static void give_to_host(struct arguments *a, struct machine_options *o)
 
 static struct machine_options options_of(struct arguments *a, const struct cfg_machine *cfg)
 {
+    const struct result_paths results = results_of(a);
     struct machine_options o = {.cfg = cfg,
                                 .nodes = cli_program_nodes(&a->what),
                                 .argc = a->what.first_count,
@@ -448,7 +396,7 @@ static struct machine_options options_of(struct arguments *a, const struct cfg_m
                                 .progress = !a->quiet && isatty(STDERR_FILENO),
                                 .debugged = debugger_is_attached(),
                                 .stop = a->stop,
-                                .out = written_files(a, true) ? stderr : stdout,
+                                .out = result_paths_dashes(&results) ? stderr : stdout,
                                 .err = stderr};
     if (a->what.host)
         give_to_host(a, &o);
@@ -543,7 +491,8 @@ static void keep_questions(void)
  * programs, unless the run also has files to write. */
 static void outlive_reader(const struct arguments *a)
 {
-    if (written_files(a, false))
+    const struct result_paths results = results_of(a);
+    if (result_paths_count(&results))
         signal(SIGPIPE, SIG_IGN);
 }
 
@@ -553,7 +502,9 @@ static int run_with_files(const struct arguments *a, struct machine_options *o)
     struct run_files files;
     struct ending end = {0};
     char *error = NULL;
-    if (!results_possible(a, &error) || (error = run_files_begin(&files, a->history, a->timing.record)))
+    const struct result_paths results = results_of(a);
+    if (!result_paths_possible(&results, &error) ||
+        (error = run_files_begin(&files, a->history, a->timing.record)))
         return output_error(error);
     o->history = files.history.out, o->schedule = files.schedule.out;
     int status = run_machine(a, o, &files, &end);

@@ -95,6 +95,8 @@ check "the last --gdb counts, also node 0" said 'gdb cannot be started'
 wrong "a trace to time 0" 64 "--trace-to takes a virtual time later than 0" run --trace t --trace-to 0 ring
 wrong "two results in one file" 64 "f.json has room for one result" run --json f.json --races f.json ring
 wrong "two results in one file, by different paths" 64 "./f.json has room for one result" run --json f.json --races ./f.json ring
+touch held.json && ln -s held.json link.json
+wrong "two results in one file, by a link" 64 "link.json has room for one result" run --json held.json --races link.json ring
 run -q --json /dev/null --deadlock /dev/null ring
 check "two results that nobody wants" ended_with 0
 run -q --max-virtual-time inf -n 2 ring
