@@ -79,6 +79,12 @@ static void report(struct leftovers *k, struct mpi_findings *all, const struct n
     }
 }
 
+static void report_in_order(struct leftovers *k, struct mpi_findings *all, struct node *n)
+{
+    node_order(n);
+    report(k, all, n);
+}
+
 void leftovers_begin(struct leftovers *k, struct mpi_findings *all, struct node *n, const struct nxm_told *c)
 {
     uintptr_t *at;
@@ -89,9 +95,10 @@ void leftovers_begin(struct leftovers *k, struct mpi_findings *all, struct node 
     if (strcmp(c->name, "MPI_Init") == 0 || strcmp(c->name, "MPI_Init_thread") == 0)
         k->init = mpi_place(n, c);
     if (strcmp(c->name, "MPI_Finalize") == 0) {
-        node_order(n);
-        report(k, all, n);
         k->init.call = NULL;
+        k->late = k->library->self->attributes != NULL;
+        if (!k->late)
+            report_in_order(k, all, n);
     }
 }
 
@@ -104,10 +111,12 @@ void leftovers_ended(struct leftovers *k, struct mpi_findings *all, const struct
     k->init.call = NULL; /* the end of the run comes, too */
 }
 
-void leftovers_end(struct leftovers *k, struct node *n, const struct nxm_told *c)
+void leftovers_end(struct leftovers *k, struct mpi_findings *all, struct node *n, const struct nxm_told *c)
 {
     uintptr_t *at;
     sweep(k);
+    if (k->late && strcmp(c->name, "MPI_Finalize") == 0)
+        report_in_order(k, all, n);
     for (size_t j = 0; j < sizeof kinds / sizeof *kinds; j++)
         if ((at = told_pointer(c, kinds[j].type)) && !makes_none(c->name))
             add(k, n, c, *at, kinds[j].kind);

@@ -16,11 +16,13 @@ struct leftovers {
     struct made *list;
     size_t count, room;
     struct mpi_place init; /* MPI_Init's; no call: MPI_Finalize has been called, too */
+    bool late;             /* attributes of MPI_COMM_SELF may free objects yet, in MPI_Finalize */
 };
 
-/* A call begins, which may be MPI_Finalize; has ended. */
+/* A call begins, which may be MPI_Finalize; has ended. It may be one inside another call, by a function that
+ * the library has called. */
 void leftovers_begin(struct leftovers *k, struct mpi_findings *all, struct node *n, const struct nxm_told *c);
-void leftovers_end(struct leftovers *k, struct node *n, const struct nxm_told *c);
+void leftovers_end(struct leftovers *k, struct mpi_findings *all, struct node *n, const struct nxm_told *c);
 /* The program has ended by itself. */
 void leftovers_ended(struct leftovers *k, struct mpi_findings *all, const struct node *n);
 void leftovers_free(struct leftovers *k);

@@ -55,10 +55,11 @@ static void hear_begins(struct observer *o, struct node *n, const struct nxm_tol
                         const struct nxm_library *l)
 {
     struct node_checks *k = checks_of(o);
+    k->leftovers.library = l;
+    leftovers_begin(&k->leftovers, k->all->findings, n, c);
     if (k->fits.call && c < k->fits.call) /* by a function that the library has called */
         return;
-    k->fits.call = c, k->fits.library = k->leftovers.library = l;
-    leftovers_begin(&k->leftovers, k->all->findings, n, c);
+    k->fits.call = c, k->fits.library = l;
     fits_collective(&k->fits, k->all->fits, n);
     overlaps_begin(k->all->findings, n, c, l);
 }
@@ -68,10 +69,9 @@ static void hear_ends(struct observer *o, struct node *n, const struct nxm_told 
 {
     struct node_checks *k = checks_of(o);
     (void)l;
-    if (k->fits.call != c)
-        return;
-    leftovers_end(&k->leftovers, n, c);
-    k->fits.call = NULL;
+    leftovers_end(&k->leftovers, k->all->findings, n, c);
+    if (k->fits.call == c)
+        k->fits.call = NULL;
 }
 
 static void hear_sends(struct observer *o, struct node *n, const struct observed_send *what)

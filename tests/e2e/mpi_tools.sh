@@ -97,6 +97,14 @@ check "what is left over there" told "MPI: communicator not freed: "
 run -q -n 4 --mpi-checks left_over callers
 check "a line with two callers: one finding" told "MPI: communicator not freed: MPI_Comm_dup at $(line left_over.c 'MPI_Comm_dup(MPI_COMM_WORLD, to')" ", 8 times, on nodes 0-3"
 check "and it is told once" [ "$(grep -c MPI: err)" = 1 ]
+run -q -n 4 --mpi-checks left_over attributes
+check "functions of attributes free communicators, also in MPI_Finalize" ended_with 0
+check "and nothing is told of them" [ ! -s err ]
+run -q -n 4 --mpi-checks left_over attributes kept
+for text in 'MPI_Comm_dup(MPI_COMM_WORLD, &one' 'MPI_Comm_split(' 'MPI_Comm_dup(*(MPI_Comm'; do
+    check "functions of attributes free none: $text" told "MPI: communicator not freed: " " at $(line left_over.c "$text")" "4 times, on nodes 0-3"
+done
+check "that is all of them" [ "$(grep -c MPI: err)" = 3 ]
 for workers in 1 2 4; do
     run_results -w $workers -n 9 --mpi-checks left_over >fast
     run_results --engine reference -n 9 --mpi-checks left_over >reference

@@ -1,11 +1,44 @@
 /* left_over.c - leaves something over of each kind, but with the argument "well"; receives reals as integers.
  * With "ends" it ends without MPI_Finalize; with "callers" it leaves communicators that a function of its own
- * makes for two callers. */
+ * makes for two callers. With "attributes" it keeps communicators as attributes, whose functions duplicate and
+ * free them, one of them in MPI_Finalize; with "attributes kept" they free none. */
 #include <mpi.h>
 
 static __attribute__((noinline)) void duplicate(MPI_Comm *to)
 {
     MPI_Comm_dup(MPI_COMM_WORLD, to);
+}
+
+static int keep;
+
+static int copy(MPI_Comm comm, int key, void *extra, void *value, void *to, int *flag)
+{
+    static MPI_Comm copied;
+    (void)comm, (void)key, (void)extra;
+    *(MPI_Comm **)to = &copied;
+    *flag = 1;
+    return MPI_Comm_dup(*(MPI_Comm *)value, &copied);
+}
+
+static int release(MPI_Comm comm, int key, void *value, void *extra)
+{
+    (void)comm, (void)key, (void)extra;
+    return keep ? MPI_SUCCESS : MPI_Comm_free(value);
+}
+
+static void attributes(void)
+{
+    static MPI_Comm one, two;
+    MPI_Comm world;
+    int key;
+    MPI_Comm_create_keyval(copy, release, &key, NULL);
+    MPI_Comm_dup(MPI_COMM_WORLD, &one);
+    MPI_Comm_split(MPI_COMM_WORLD, 0, 0, &two);
+    MPI_Comm_set_attr(MPI_COMM_WORLD, key, &one);
+    MPI_Comm_set_attr(MPI_COMM_SELF, key, &two);
+    MPI_Comm_dup(MPI_COMM_WORLD, &world);
+    MPI_Comm_free(&world);
+    MPI_Comm_delete_attr(MPI_COMM_WORLD, key);
 }
 
 int main(int argc, char **argv)
@@ -22,6 +55,12 @@ int main(int argc, char **argv)
     if (argc > 1 && argv[1][0] == 'c') {
         duplicate(&dup);
         duplicate(&dup);
+        MPI_Finalize();
+        return 0;
+    }
+    if (argc > 1 && argv[1][0] == 'a') {
+        keep = argc > 2;
+        attributes();
         MPI_Finalize();
         return 0;
     }
