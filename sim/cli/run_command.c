@@ -312,10 +312,18 @@ static bool written(char *error)
     return !error || (output_error(error), false);
 }
 
+/* What follows may be a part of the report: it begins a line. */
+static void end_line(const struct machine *m, const struct race_reports *races, bool quiet)
+{
+    if (m->sys.mid_line && ((m->message && !m->said) || !quiet || races->count || m->sys.mpi_checks))
+        fputc('\n', stderr);
+}
+
 static int report(const struct machine *m, const struct race_reports *races, const struct arguments *a)
 {
     int status = status_of(m, races);
     char *lost = flushed(stdout) ? NULL : cannot_write("standard output");
+    end_line(m, races, a->quiet);
     bool found = m->outcome == MACHINE_DEADLOCK && print_mpi_checks(m); /* they may say why */
     if (m->message && !m->said)
         cli_say_error("run", "%s", m->message);

@@ -62,7 +62,8 @@ void verdict_exited(struct node *n)
     if (s->progress)
         progress_line_clear(s->progress);
     fflush(s->out[0]);
-    fprintf(s->out[1], "touchstone run: %s\n", text);
+    fprintf(s->out[1], "%stouchstone run: %s\n", s->mid_line ? "\n" : "", text);
+    s->mid_line = false;
     fflush(s->out[1]);
     free(text);
 }

@@ -83,6 +83,7 @@ struct node_system {
     struct debug_stop *stop; /* where it is to stop: machine/debug_stop.h. NULL: nowhere */
 
     bool exit_told; /* the user knows of the first exit with an error */
+    bool mid_line;  /* what programs last wrote on standard error does not end its line */
 
     /* Set by the machine; NULL before it runs. */
     void (*keep_crash)(

@@ -19,9 +19,16 @@ check "crash: backtrace goes up to its callers" said 'ask_for_it.*crash\.c'
 
 run -n 3 quits
 check "exit(3) in a node: exit status 1" ended_with 1
-check "exit(3) in a node: it is named" said 'node 1 ended at .* with exit\(3\) \(quits\.c:9\)$'
+check "exit(3) in a node: it is named" said 'node 1 ended at .* with exit\(3\) \(quits\.c:13\)$'
 check "exit(3) in a node: once, if nothing waits for it" test "$(grep -c 'exit(3)' err)" = 1
 check "exit(3) in a node: the others go on" test "$(cat out)" = "$(printf 'node 0 is done\nnode 2 is done')"
+run -n 3 quits why
+check "a report after the program's own words begins a line" said '^touchstone run: node 1 ended at .* with exit\(3\)'
+check "and the program's have theirs" test "$(head -1 err)" = "no input"
+run -n 3 quits why all
+check "so does the summary" said '^virtual time '
+run -q -n 3 quits why all
+check "without a report the program's words stay as they are" test "$(cat err; echo .)" = "no inputno inputno input."
 
 run --max-virtual-time 2.5 endless
 check "--max-virtual-time: exit status 1" ended_with 1

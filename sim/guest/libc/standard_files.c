@@ -67,11 +67,14 @@ static ssize_t out_read(struct node_file *f, void *buf, size_t bytes)
 
 static ssize_t out_write(struct node_file *f, const void *bytes, size_t len)
 {
-    const struct node_system *sys = f->node->sys;
+    struct node_system *sys = f->node->sys;
     if (sys->progress && len)
         progress_line_make_way(sys->progress, bytes, len);
-    if (fd_of(f) == STDERR_FILENO)
+    if (fd_of(f) == STDERR_FILENO) {
         fflush(sys->out[0]); /* both may go to one file */
+        if (len)
+            sys->mid_line = ((const char *)bytes)[len - 1] != '\n';
+    }
     return (ssize_t)fwrite(bytes, 1, len, sys->out[fd_of(f) - 1]);
 }
 
