@@ -485,6 +485,7 @@ static void boundaries_are_passed_at_once(void **state)
     poll_at(&f, 1);
     assert_true(lp->segment.end > lp->clock.units);
     assert_true(lp->segment.end - lp->clock.units <= 320000 * CLOCK);
+    lp_unbind(lp);
 }
 
 static void the_time_of_units_to_come_counts_from_now(void **state)
