@@ -63,6 +63,17 @@ static void add_word(struct arguments *a, const char *word)
     a->words[a->word_count++] = (char *)(uintptr_t)word;
 }
 
+/* A word for touchstone run. The cube says on which nodes of which machine it runs. */
+static void add_run_word(struct argp_state *state, struct arguments *a, const char *word)
+{
+    static const char *const cubes[] = {"-n", "-m", "--nodes", "--machine"};
+    for (size_t i = 0; i < sizeof cubes / sizeof *cubes; i++)
+        if (strncmp(word, cubes[i], strlen(cubes[i])) == 0)
+            argp_error(state, "-r %s: the cube says which nodes and which machine; getcube gets another one",
+                       word);
+    add_word(a, word);
+}
+
 static void load_program(struct argp_state *state, struct arguments *a)
 {
     if (access(state->argv[state->next], R_OK))
@@ -80,7 +91,7 @@ static error_t parse_one(int key, char *arg, struct argp_state *state)
     } else if (key == 't') {
         a->type = arg;
     } else if (key == 'r') {
-        add_word(a, arg);
+        add_run_word(state, a, arg);
     } else if (key == HOST) {
         a->has_host = true;
         add_word(a, "--host");
