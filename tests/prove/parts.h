@@ -2,6 +2,7 @@
  * begins with this text. */
 #include <errno.h>
 #include <fcntl.h>
+#include <fenv.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -677,6 +678,31 @@ static void change_seed(long n)
     note(before[0]);
     before[1] = (unsigned short)n;
     note(lrand48());
+}
+
+/* The state of both floating-point units is the node's own: flags of exceptions, how they round. */
+static void float_state(long what, long n)
+{
+    static volatile long double wide = 3;
+    static volatile double narrow = 3;
+    switch (what % 5) {
+    case 0:
+        wide = wide * 1e4900L * 1e4900L; /* x87: overflow */
+        break;
+    case 1:
+        narrow = 1 / (narrow - narrow); /* SSE: by zero, or invalid */
+        break;
+    case 2:
+        feclearexcept(FE_ALL_EXCEPT);
+        break;
+    case 3:
+        fesetround(n % 2 ? FE_DOWNWARD : FE_TONEAREST);
+        break;
+    default:
+        wide = narrow = (double)n + 3;
+    }
+    note(fetestexcept(FE_ALL_EXCEPT));
+    note((long)(1e18L / wide) ^ (long)(1e15 / narrow));
 }
 
 /* --- in Fortran --- */
