@@ -31,6 +31,11 @@ json_t *json_real_or_null(double x)
     return isfinite(x) ? json_real(x) : json_null();
 }
 
+json_t *json_ps(vtime_sum t)
+{
+    return t > INT64_MAX ? json_real((double)t) : json_integer((json_int_t)t);
+}
+
 json_t *json_string_or_null(const char *text)
 {
     return text ? json_string(text) : json_null();

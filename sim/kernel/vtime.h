@@ -6,6 +6,8 @@
 #include <stdint.h>
 
 typedef uint64_t vtime;
+/* A sum of many nodes' times, or a difference of such: 64 bits have those of 1000 nodes for five hours. */
+typedef __int128 vtime_sum;
 
 #define VT_NEVER UINT64_MAX
 /* Where a run ends at the latest: what happens then may be put off for days. */
@@ -23,6 +25,10 @@ static inline vtime vt_max(vtime a, vtime b)
     return a > b ? a : b;
 }
 static inline double vt_seconds(vtime t)
+{
+    return (double)t / (double)VT_SECOND;
+}
+static inline double vt_sum_seconds(vtime_sum t)
 {
     return (double)t / (double)VT_SECOND;
 }

@@ -113,7 +113,7 @@ static struct profile_idle *idle_in(struct profile *p, const char *call)
 static int longest_first(const void *a, const void *b)
 {
     const struct profile_idle *x = a, *y = b;
-    profile_sum left = x->idle[0] + x->idle[1], right = y->idle[0] + y->idle[1];
+    vtime_sum left = x->idle[0] + x->idle[1], right = y->idle[0] + y->idle[1];
     return left != right ? (right > left) - (right < left) : strcmp(x->call, y->call);
 }
 
@@ -159,14 +159,9 @@ void profile_free(struct profile *p)
     call_tree_free(&p->tree);
 }
 
-profile_sum profile_node_time(const struct profile *p, enum profile_class c)
+vtime_sum profile_node_time(const struct profile *p, enum profile_class c)
 {
-    return (profile_sum)p->end * p->times[c].nodes;
-}
-
-double profile_sum_seconds(profile_sum time)
-{
-    return (double)time / (double)VT_SECOND;
+    return (vtime_sum)p->end * p->times[c].nodes;
 }
 
 double profile_seconds(const struct profile *p, int64_t units)

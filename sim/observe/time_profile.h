@@ -13,9 +13,6 @@
 
 enum profile_class { PROFILE_OTHERS, PROFILE_ARMED, PROFILE_CLASSES };
 
-/* Times of many nodes, in picoseconds: 64 bits have those of 1000 nodes for five hours. */
-typedef __int128 profile_sum;
-
 /* The time spent in a function of the source, without calls to the library; or in that function's calls
  * to one function of the library. The texts are in the machine's nodes. */
 struct profile_function {
@@ -26,17 +23,17 @@ struct profile_function {
 
 struct profile_idle {
     const char *call;
-    profile_sum idle[PROFILE_CLASSES];
+    vtime_sum idle[PROFILE_CLASSES];
     uint64_t waits[PROFILE_CLASSES];
 };
 
 /* The sums over all nodes of a class. */
 struct profile_times {
     uint32_t nodes;
-    profile_sum computing, system, idle;
-    profile_sum
+    vtime_sum computing, system, idle;
+    vtime_sum
         rest; /* from a node's end to the last one's; in a run that was stopped, also unfinished waits */
-    profile_sum tasks[NODE_TASKS], beside;
+    vtime_sum tasks[NODE_TASKS], beside;
 };
 
 struct profile {
@@ -62,7 +59,6 @@ void profile_print(const struct profile *p, FILE *f);
 char *profile_json(const struct profile *p, const struct machine *m, const char *path);
 
 /* Nodes of the class times the run's virtual time. */
-profile_sum profile_node_time(const struct profile *p, enum profile_class c);
-double profile_sum_seconds(profile_sum time);
+vtime_sum profile_node_time(const struct profile *p, enum profile_class c);
 double profile_seconds(const struct profile *p, int64_t units);
 #endif

@@ -18,22 +18,22 @@ struct line {
     const char *name;
 };
 
-static double percent(double part, profile_sum whole)
+static double percent(double part, vtime_sum whole)
 {
-    return whole ? 100 * part / profile_sum_seconds(whole) : 0;
+    return whole ? 100 * part / vt_sum_seconds(whole) : 0;
 }
 
 /* The decimals of all seconds of the table: the whole time has five digits, as in touchstone profile. */
-static int decimals(profile_sum all)
+static int decimals(vtime_sum all)
 {
-    double seconds = profile_sum_seconds(all);
+    double seconds = vt_sum_seconds(all);
     return seconds > 0 && seconds < 1e4 ? 4 - (int)floor(log10(seconds)) : 0;
 }
 
 /* Prints the line's share of all nodes' time; if there are two classes, also of each class's time. */
 static void print_line(const struct profile *p, FILE *f, const struct line *l)
 {
-    profile_sum armed = profile_node_time(p, PROFILE_ARMED), others = profile_node_time(p, PROFILE_OTHERS);
+    vtime_sum armed = profile_node_time(p, PROFILE_ARMED), others = profile_node_time(p, PROFILE_OTHERS);
     double seconds = l->seconds[PROFILE_ARMED] + l->seconds[PROFILE_OTHERS];
     fprintf(f, "%6.2f%%", percent(seconds, armed + others));
     if (armed && others)
@@ -73,9 +73,9 @@ static void print_rest(const struct profile *p, FILE *f)
 {
     struct line system = {.name = "(system)\n"}, idle = {.name = "(idle)\n"}, rest = {.name = "(ended)\n"};
     for (int c = 0; c < PROFILE_CLASSES; c++) {
-        system.seconds[c] = profile_sum_seconds(p->times[c].system);
-        idle.seconds[c] = profile_sum_seconds(p->times[c].idle);
-        rest.seconds[c] = profile_sum_seconds(p->times[c].rest);
+        system.seconds[c] = vt_sum_seconds(p->times[c].system);
+        idle.seconds[c] = vt_sum_seconds(p->times[c].idle);
+        rest.seconds[c] = vt_sum_seconds(p->times[c].rest);
     }
     print_line(p, f, &system);
     print_line(p, f, &idle);
@@ -99,12 +99,12 @@ static const char *const CLASS[PROFILE_CLASSES] = {"others", "with_handlers"};
 
 static json_t *function_json(const struct profile *p, const struct profile_function *fn)
 {
-    profile_sum all = profile_node_time(p, PROFILE_ARMED) + profile_node_time(p, PROFILE_OTHERS);
+    vtime_sum all = profile_node_time(p, PROFILE_ARMED) + profile_node_time(p, PROFILE_OTHERS);
     int64_t units = fn->units[PROFILE_ARMED] + fn->units[PROFILE_OTHERS];
     double seconds = profile_seconds(p, units);
     json_t *j = json_pack("{s:o, s:o, s:I, s:I, s:f, s:f}", "file", json_text(fn->file), "function",
                           json_text(fn->function), "line", (json_int_t)fn->line, "units", (json_int_t)units,
-                          "seconds", seconds, "share", all ? seconds / profile_sum_seconds(all) : 0.0);
+                          "seconds", seconds, "share", all ? seconds / vt_sum_seconds(all) : 0.0);
     if (fn->called)
         json_set(j, "called", json_text(fn->called));
     for (int c = 0; c < PROFILE_CLASSES; c++) {
@@ -112,7 +112,7 @@ static json_t *function_json(const struct profile *p, const struct profile_funct
         if (p->times[c].nodes && p->end)
             json_set(j, CLASS[c],
                      json_pack("{s:I, s:f, s:f}", "units", (json_int_t)fn->units[c], "seconds", part, "share",
-                               part / profile_sum_seconds(profile_node_time(p, c))));
+                               part / vt_sum_seconds(profile_node_time(p, c))));
     }
     return j;
 }
@@ -123,7 +123,7 @@ static json_t *idle_json(const struct profile *p, enum profile_class c)
     for (size_t i = 0; i < p->idle_count; i++)
         if (p->idle[i].waits[c])
             json_append(list, json_pack("{s:s, s:f, s:I}", "call", p->idle[i].call, "idle_s",
-                                        profile_sum_seconds(p->idle[i].idle[c]), "waits",
+                                        vt_sum_seconds(p->idle[i].idle[c]), "waits",
                                         (json_int_t)p->idle[i].waits[c]));
     return list;
 }
@@ -135,15 +135,14 @@ static json_t *class_json(const struct profile *p, enum profile_class c)
     int64_t units = 0;
     double tasks[NODE_TASKS];
     for (int i = 0; i < NODE_TASKS; i++)
-        tasks[i] = profile_sum_seconds(t->tasks[i]);
+        tasks[i] = vt_sum_seconds(t->tasks[i]);
     for (size_t i = 0; i < p->function_count; i++)
         units += p->functions[i].units[c];
     return json_pack("{s:i, s:f, s:I, s:f, s:f, s:f, s:f, s:f, s:o, s:o}", "nodes", (int)t->nodes,
-                     "node_time_s", profile_sum_seconds(profile_node_time(p, c)), "units", (json_int_t)units,
-                     "computing_s", profile_sum_seconds(t->computing), "system_s",
-                     profile_sum_seconds(t->system), "idle_s", profile_sum_seconds(t->idle), "rest_s",
-                     profile_sum_seconds(t->rest), "beside_s", profile_sum_seconds(t->beside), "tasks",
-                     json_tasks(tasks), "waits", idle_json(p, c));
+                     "node_time_s", vt_sum_seconds(profile_node_time(p, c)), "units", (json_int_t)units,
+                     "computing_s", vt_sum_seconds(t->computing), "system_s", vt_sum_seconds(t->system),
+                     "idle_s", vt_sum_seconds(t->idle), "rest_s", vt_sum_seconds(t->rest), "beside_s",
+                     vt_sum_seconds(t->beside), "tasks", json_tasks(tasks), "waits", idle_json(p, c));
 }
 
 char *profile_json(const struct profile *p, const struct machine *m, const char *path)

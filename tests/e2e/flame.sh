@@ -124,3 +124,12 @@ cp out folded
 check "Fortran's subroutines are frames" has 'main;flame;relax;exchange;crecv_;crecv;\(waiting\)'
 profile --lines f.json
 check "and have lines" grep -qE 'flame.f:[0-9]+ +relax_? +s = s \+ 1d0 / i' out
+
+# 32 nodes for a million seconds: more picoseconds than 64 bits hold
+printf '#include <unistd.h>\nint main(void) { sleep(1000000); return 0; }\n' >long.c
+"$BUILD/nxcc" -O2 --profile -o long long.c
+run -n 32 --profile long.json long
+profile long.json
+check "a table of more picoseconds than 64 bits hold" grep -qE '^100\.00% 100\.00% +32000000 +\(waiting\)$' out
+profile -f folded long.json
+check "and stacks" grep -q '^main;sleep;(waiting) 32000000000000000000$' out

@@ -252,3 +252,11 @@ why --top 0 many.trace
 check "--top 0: exit status" ended_with 64
 why -o /nowhere/x many.trace
 check "a folder that is not there: exit status" ended_with 74
+
+# Of 32 nodes, a million seconds each.
+printf '#include <unistd.h>\nint main(void) { sleep(1000000); return 0; }\n' >long.c
+"$BUILD/nxcc" -O2 -o long long.c
+traced -n 32 long
+why --json long.json t.trace
+check "waits of more picoseconds than 64 bits hold" prints 'waited for more than 99\.9 % of their time, 31000000\.0 s in all.* all idle time +32000000\.000 +100\.00'
+check "and so in the file" grep -q '^  "idle_ps": 3.2e19,' long.json

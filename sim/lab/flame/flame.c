@@ -102,7 +102,7 @@ static bool is_selected(const struct reading *r, unsigned long node)
 }
 
 /* "0-3:123 7:99 ": the sum over the nodes selected. */
-static bool sum_nodes(const struct reading *r, const char *text, vtime *sum)
+static bool sum_nodes(const struct reading *r, const char *text, vtime_sum *sum)
 {
     *sum = 0;
     while (*text) {
@@ -121,7 +121,7 @@ static bool sum_nodes(const struct reading *r, const char *text, vtime *sum)
     return true;
 }
 
-static void add_line(struct reading *r, const struct flame_frame *f, const char *file, int line, vtime t)
+static void add_line(struct reading *r, const struct flame_frame *f, const char *file, int line, vtime_sum t)
 {
     struct flame *flame = r->flame;
     if (flame->line_count == r->line_room) {
@@ -139,7 +139,7 @@ static bool read_share(struct reading *r, const char *text)
 {
     unsigned long spot;
     int line, at = 0;
-    vtime t;
+    vtime_sum t;
     const char *times = text ? strchr(text, '\t') : NULL;
     if (!times || sscanf(text, "%lu %d%n", &spot, &line, &at) != 2 || text[at] != ' ' ||
         spot >= r->spot_count || !sum_nodes(r, times + 1, &t))
@@ -251,8 +251,8 @@ static int most_first(const void *a, const void *b)
 static int most_changed_first(const void *a, const void *b)
 {
     const struct flame_line *x = a, *y = b;
-    int64_t left = llabs((int64_t)(x->time[0] - x->time[1])),
-            right = llabs((int64_t)(y->time[0] - y->time[1]));
+    vtime_sum left = x->time[0] - x->time[1], right = y->time[0] - y->time[1];
+    left = left < 0 ? -left : left, right = right < 0 ? -right : right;
     return left != right ? (left < right) - (left > right) : by_place(a, b);
 }
 
@@ -319,9 +319,9 @@ bool flame_is_diff(const struct flame *f)
     return f->program[FLAME_BEFORE] != NULL;
 }
 
-double flame_share(const struct flame *f, const vtime time[FLAME_PROFILES], int profile)
+double flame_share(const struct flame *f, const vtime_sum time[FLAME_PROFILES], int profile)
 {
-    vtime all = f->root->total[profile];
+    vtime_sum all = f->root->total[profile];
     return all ? (double)time[profile] / (double)all : 0;
 }
 

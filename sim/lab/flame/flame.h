@@ -28,8 +28,8 @@ struct flame_frame {
     enum flame_kind kind;
     char *name, *file;                            /* file: "" not known */
     int line;                                     /* where the function begins */
-    vtime self[FLAME_PROFILES];                   /* in no frame above */
-    vtime total[FLAME_PROFILES];                  /* with all frames called */
+    vtime_sum self[FLAME_PROFILES];               /* in no frame above */
+    vtime_sum total[FLAME_PROFILES];              /* with all frames called */
     struct flame_frame *parent, *children, *next; /* children by name */
 };
 
@@ -38,7 +38,7 @@ struct flame_line {
     char *file;
     int line;
     char *function;
-    vtime time[FLAME_PROFILES];
+    vtime_sum time[FLAME_PROFILES];
 };
 
 struct flame {
@@ -62,7 +62,7 @@ void flame_free(struct flame *f);
 
 /* Is f of two profiles? Share of a frame's or line's time in all time, 0 to 1. */
 bool flame_is_diff(const struct flame *f);
-double flame_share(const struct flame *f, const vtime time[FLAME_PROFILES], int profile);
+double flame_share(const struct flame *f, const vtime_sum time[FLAME_PROFILES], int profile);
 const char *flame_kind_name(enum flame_kind k);
 
 /* Writes: stacks as flamegraph.pl reads them, "main;relax;csend 12345", of two profiles with both times; a

@@ -46,13 +46,13 @@ static int rows_of(const struct svg *s, const struct flame_frame *f)
 /* What a frame itself takes more than before, in seconds. */
 static double change_of(const struct flame_frame *f)
 {
-    return (double)(int64_t)(f->self[FLAME_NOW] - f->self[FLAME_BEFORE]) / (double)VT_SECOND;
+    return vt_sum_seconds(f->self[FLAME_NOW] - f->self[FLAME_BEFORE]);
 }
 
 /* The time of frames that are there no more: nothing is as wide as they were. */
-static vtime gone(const struct flame_frame *f)
+static vtime_sum gone(const struct flame_frame *f)
 {
-    vtime sum = f->total[FLAME_NOW] ? 0 : f->total[FLAME_BEFORE];
+    vtime_sum sum = f->total[FLAME_NOW] ? 0 : f->total[FLAME_BEFORE];
     for (const struct flame_frame *c = f->total[FLAME_NOW] ? f->children : NULL; c; c = c->next)
         sum += gone(c);
     return sum;
@@ -120,9 +120,9 @@ static void write_escaped(const char *text, size_t most, FILE *out)
     }
 }
 
-static void write_time(vtime t, FILE *out)
+static void write_time(vtime_sum t, FILE *out)
 {
-    double s = vt_seconds(t);
+    double s = vt_sum_seconds(t);
     if (s >= 1 || s == 0)
         fprintf(out, "%.3f s", s);
     else if (s >= 1e-3)
@@ -279,11 +279,11 @@ static void write_head(const struct svg *s)
         fputs("width: time now; red: itself takes more, blue: less. Before: ", out);
         write_escaped(f->program[FLAME_BEFORE], 60, out);
         fprintf(out, ": %s of the nodes' time; now %s",
-                duration_text(vt_seconds(f->root->total[FLAME_BEFORE])).text,
-                duration_text(vt_seconds(f->root->total[FLAME_NOW])).text);
+                duration_text(vt_sum_seconds(f->root->total[FLAME_BEFORE])).text,
+                duration_text(vt_sum_seconds(f->root->total[FLAME_NOW])).text);
     } else {
         fprintf(out, "width: virtual time, summed over nodes: %s in all. Counted, not sampled",
-                duration_text(vt_seconds(f->root->total[FLAME_NOW])).text);
+                duration_text(vt_sum_seconds(f->root->total[FLAME_NOW])).text);
     }
     fprintf(out,
             "</text>\n<text id='reset' class='button' x='%d' y='24' style='display:none' tabindex='0' "

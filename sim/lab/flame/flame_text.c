@@ -30,13 +30,24 @@ static void write_stack(const struct flame_frame *f, FILE *out)
     write_name(f->name, out);
 }
 
+/* In digits; fprintf has none for 128 bits. */
+static void write_sum(vtime_sum t, FILE *out)
+{
+    static const vtime_sum UPPER = INT64_C(1000000000000000000);
+    if (t >= UPPER)
+        fprintf(out, " %" PRId64 "%018" PRId64, (int64_t)(t / UPPER), (int64_t)(t % UPPER));
+    else
+        fprintf(out, " %" PRId64, (int64_t)t);
+}
+
 static void fold(const struct flame *flame, const struct flame_frame *f, FILE *out)
 {
     if (f->self[FLAME_NOW] || f->self[FLAME_BEFORE]) {
         write_stack(f, out);
         if (flame_is_diff(flame))
-            fprintf(out, " %" PRIu64, f->self[FLAME_BEFORE]);
-        fprintf(out, " %" PRIu64 "\n", f->self[FLAME_NOW]);
+            write_sum(f->self[FLAME_BEFORE], out);
+        write_sum(f->self[FLAME_NOW], out);
+        fputc('\n', out);
     }
     for (const struct flame_frame *c = f->children; c; c = c->next)
         fold(flame, c, out);
@@ -49,20 +60,15 @@ void flame_write_folded(const struct flame *f, FILE *out)
 
 /* --- tables --- */
 
-static double seconds(vtime t)
-{
-    return vt_seconds(t);
-}
-
 /* The decimals of all seconds of a table: the run's whole time has five digits. */
 static int decimals(const struct flame *f)
 {
-    double all = seconds(f->root->total[FLAME_NOW]);
+    double all = vt_sum_seconds(f->root->total[FLAME_NOW]);
     int after = all > 0 ? 4 - (int)floor(log10(all)) : 0;
     return after < 0 ? 0 : after < 12 ? after : 12;
 }
 
-static double percent(const struct flame *f, const vtime t[FLAME_PROFILES], int profile)
+static double percent(const struct flame *f, const vtime_sum t[FLAME_PROFILES], int profile)
 {
     return 100 * flame_share(f, t, profile);
 }
@@ -75,7 +81,8 @@ static void write_head(const struct flame *f, FILE *out)
                 : p == FLAME_NOW  ? "now     "
                                   : "before  ",
                 f->program[p], f->nodes[p], f->nodes[p] == 1 ? "" : "s",
-                duration_text(seconds(f->end[p])).text, duration_text(seconds(f->root->total[p])).text);
+                duration_text(vt_sum_seconds(f->end[p])).text,
+                duration_text(vt_sum_seconds(f->root->total[p])).text);
     fputc('\n', out);
 }
 
@@ -97,7 +104,7 @@ static void write_tree(const struct flame *flame, const struct flame_frame *f, i
     size_t count = 0;
     if (f->parent) {
         fprintf(out, "%6.2f%% %6.2f%% %14.*f  %*s%s", percent(flame, f->total, 0), percent(flame, f->self, 0),
-                decimals(flame), seconds(f->total[0]), 2 * (depth - 1), "", f->name);
+                decimals(flame), vt_sum_seconds(f->total[0]), 2 * (depth - 1), "", f->name);
         fprintf(out, f->kind == FLAME_INLINED ? "  (inlined)\n" : "\n");
     }
     for (const struct flame_frame *c = f->children; c; c = c->next)
@@ -114,13 +121,13 @@ static void write_tree(const struct flame *flame, const struct flame_frame *f, i
 
 struct change {
     const struct flame_frame *frame;
-    int64_t by;
+    vtime_sum by;
 };
 
 static int largest_first(const void *a, const void *b)
 {
     const struct change *x = a, *y = b;
-    int64_t left = llabs(x->by), right = llabs(y->by);
+    vtime_sum left = x->by < 0 ? -x->by : x->by, right = y->by < 0 ? -y->by : y->by;
     return (left < right) - (left > right);
 }
 
@@ -128,7 +135,7 @@ static void collect_changes(const struct flame_frame *f, struct change **list, s
 {
     if (f->self[0] != f->self[1]) {
         *list = xreallocarray(*list, *count + 1, sizeof **list);
-        (*list)[(*count)++] = (struct change){f, (int64_t)(f->self[0] - f->self[1])};
+        (*list)[(*count)++] = (struct change){f, f->self[0] - f->self[1]};
     }
     for (const struct flame_frame *c = f->children; c; c = c->next)
         collect_changes(c, list, count);
@@ -147,8 +154,8 @@ static void write_changes(const struct flame *f, FILE *out)
     if (count)
         fprintf(out, "%14s %14s %14s  %s\n", "before", "now", "change (s)", "frame");
     for (size_t i = 0; i < count && i < SHOWN_CHANGES; i++) {
-        fprintf(out, "%14.*f %14.*f %+14.*f  ", after, seconds(list[i].frame->self[1]), after,
-                seconds(list[i].frame->self[0]), after, (double)list[i].by / (double)VT_SECOND);
+        fprintf(out, "%14.*f %14.*f %+14.*f  ", after, vt_sum_seconds(list[i].frame->self[1]), after,
+                vt_sum_seconds(list[i].frame->self[0]), after, vt_sum_seconds(list[i].by));
         write_stack(list[i].frame, out);
         fputc('\n', out);
     }
@@ -171,18 +178,13 @@ void flame_write_text(const struct flame *f, FILE *out)
 
 /* --- JSON --- */
 
-static json_t *time_json(vtime t)
-{
-    return json_integer((json_int_t)t);
-}
-
 static json_t *frame_json(const struct flame *flame, const struct flame_frame *f)
 {
     json_t *j = json_pack("{s:s, s:s, s:o, s:o}", "name", f->name, "kind", flame_kind_name(f->kind), "value",
-                          time_json(f->total[0]), "self_ps", time_json(f->self[0]));
+                          json_ps(f->total[0]), "self_ps", json_ps(f->self[0]));
     if (flame_is_diff(flame)) {
-        json_set(j, "before", time_json(f->total[1]));
-        json_set(j, "self_before_ps", time_json(f->self[1]));
+        json_set(j, "before", json_ps(f->total[1]));
+        json_set(j, "self_before_ps", json_ps(f->self[1]));
     }
     if (*f->file) {
         json_set(j, "file", json_string(f->file));
@@ -213,9 +215,9 @@ void flame_write_lines_json(const struct flame *f, FILE *out)
     for (size_t i = 0; i < f->line_count; i++) {
         const struct flame_line *l = &f->lines[i];
         json_t *j = json_pack("{s:s, s:i, s:s, s:o}", "file", l->file, "line", l->line, "function",
-                              l->function, "time_ps", time_json(l->time[0]));
+                              l->function, "time_ps", json_ps(l->time[0]));
         if (flame_is_diff(f))
-            json_set(j, "before_ps", time_json(l->time[1]));
+            json_set(j, "before_ps", json_ps(l->time[1]));
         json_append(list, j);
     }
     dump(list, out);
@@ -254,10 +256,10 @@ static void write_line(const struct flame *f, const struct flame_line *l, struct
     fprintf(out, "%6.2f%% ", percent(f, l->time, 0));
     int after = decimals(f);
     if (flame_is_diff(f))
-        fprintf(out, "%14.*f %14.*f %+14.*f", after, seconds(l->time[1]), after, seconds(l->time[0]), after,
-                (double)(int64_t)(l->time[0] - l->time[1]) / (double)VT_SECOND);
+        fprintf(out, "%14.*f %14.*f %+14.*f", after, vt_sum_seconds(l->time[1]), after,
+                vt_sum_seconds(l->time[0]), after, vt_sum_seconds(l->time[0] - l->time[1]));
     else
-        fprintf(out, "%14.*f", after, seconds(l->time[0]));
+        fprintf(out, "%14.*f", after, vt_sum_seconds(l->time[0]));
     fprintf(out, "  %-28s %-18s", place, l->function);
     write_source(s, l, out);
     fputc('\n', out);
@@ -273,7 +275,7 @@ static bool is_shown(const struct flame *f, const struct flame_line *l)
 void flame_write_lines(const struct flame *f, FILE *out)
 {
     struct source s = {0};
-    vtime shown = 0, all = 0;
+    vtime_sum shown = 0, all = 0;
     size_t count = 0;
     write_head(f, out);
     if (flame_is_diff(f))
@@ -291,9 +293,9 @@ void flame_write_lines(const struct flame *f, FILE *out)
     }
     if (f->line_count > count)
         fprintf(out, "%s in %zu more line%s (-f json has them all)\n",
-                duration_text(seconds(all - shown)).text, f->line_count - count,
+                duration_text(vt_sum_seconds(all - shown)).text, f->line_count - count,
                 f->line_count - count == 1 ? "" : "s");
     fprintf(out, "\nThe lines compute for %s; the rest is the system's time and waiting.\n",
-            duration_text(seconds(all)).text);
+            duration_text(vt_sum_seconds(all)).text);
     free(s.text);
 }

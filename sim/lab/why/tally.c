@@ -55,7 +55,7 @@ void tally_free(struct tally *t)
     *t = (struct tally){0};
 }
 
-int tally_longest(const vtime *times, int count, bool *told)
+int tally_longest(const vtime_sum *times, int count, bool *told)
 {
     int longest = -1;
     for (int i = 0; i < count; i++)

@@ -26,5 +26,5 @@ void tally_free(struct tally *t);
 
 /* The number of the longest time that was not told before; -1: none but times of 0 are left. told: which
  * were, all false at first. */
-int tally_longest(const vtime *times, int count, bool *told);
+int tally_longest(const vtime_sum *times, int count, bool *told);
 #endif

@@ -266,7 +266,7 @@ static void divide_node(struct division *d, int32_t node)
 /* The promise of wait_causes.h. */
 static void check(const struct wait_causes *c)
 {
-    vtime sum = 0;
+    vtime_sum sum = 0;
     for (int i = 0; i < WAIT_CAUSES; i++)
         sum += c->by_cause[i];
     assert(sum == c->idle);

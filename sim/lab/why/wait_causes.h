@@ -37,8 +37,8 @@ struct wait_part {
 struct wait_causes {
     struct wait_part *parts; /* by node, then in the order of time */
     size_t count, room;
-    vtime idle; /* of all nodes; the sum of all parts */
-    vtime by_cause[WAIT_CAUSES];
+    vtime_sum idle; /* of all nodes; the sum of all parts */
+    vtime_sum by_cause[WAIT_CAUSES];
 };
 
 /* Divides the waits of the traced nodes; only: of those selected; NULL: of all. free(causes.parts) in the

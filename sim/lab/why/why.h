@@ -30,7 +30,8 @@ struct wait_group {
     int32_t pid;     /* of all of them; 0: of NX, or several */
     int32_t partner; /* into trace.nodes; TRACE_NONE: nobody, or a service */
     bool partners;   /* there are others, too */
-    vtime idle, longest_idle;
+    vtime_sum idle;
+    vtime longest_idle;
     int32_t longest; /* the longest wait */
     int32_t block;   /* WAIT_CHANNEL: the longest; else TRACE_NONE */
     vtime longest_block;
@@ -48,7 +49,7 @@ struct why {
     struct wait_causes causes;
     bool some_nodes; /* not all nodes' waits are in causes */
     vtime length;    /* of the path: the trace's time */
-    vtime by_class[WHY_CLASSES];
+    vtime_sum by_class[WHY_CLASSES];
     vtime entering; /* of WHY_HANDLERS: the system enters handlers, and leaves them */
     struct tally shares[WHY_SHARES];
     struct wait_group *groups; /* the longest first */

@@ -4,11 +4,6 @@
 #include "lab/why/path_shares.h"
 #include "lab/why/why_sentences.h"
 
-static json_t *ps(vtime t)
-{
-    return json_integer((json_int_t)t);
-}
-
 static json_t *sentences(struct why *w)
 {
     char **paragraphs = why_sentences(w);
@@ -25,8 +20,8 @@ static json_t *classes(const struct why *w)
     for (int i = 0; i < WHY_CLASSES; i++) {
         json_t *row = json_object();
         json_set(row, "class", json_text(why_class_key((enum why_class)i)));
-        json_set(row, "time_ps", ps(w->by_class[i]));
-        json_set(row, "at_least_without_ps", ps(w->length - w->by_class[i]));
+        json_set(row, "time_ps", json_ps(w->by_class[i]));
+        json_set(row, "at_least_without_ps", json_ps(w->length - w->by_class[i]));
         json_append(list, row);
     }
     return list;
@@ -38,7 +33,7 @@ static json_t *share(const struct tally *t)
     for (size_t i = 0; i < t->count; i++) {
         json_t *row = json_object();
         json_set(row, "what", json_text(t->rows[i].label));
-        json_set(row, "time_ps", ps(t->rows[i].time));
+        json_set(row, "time_ps", json_ps(t->rows[i].time));
         json_set(row, "steps", json_integer((json_int_t)t->rows[i].count));
         json_append(list, row);
     }
@@ -49,8 +44,8 @@ static json_t *share(const struct tally *t)
 static json_t *step(struct why *w, const struct path_step *s)
 {
     json_t *row = json_object();
-    json_set(row, "begin_ps", ps(s->begin));
-    json_set(row, "end_ps", ps(s->end));
+    json_set(row, "begin_ps", json_ps(s->begin));
+    json_set(row, "end_ps", json_ps(s->end));
     json_set(row, "class", json_text(why_class_key(s->class)));
     if (s->node != TRACE_NONE)
         json_set(row, "node", json_integer(s->node));
@@ -70,10 +65,10 @@ static json_t *step(struct why *w, const struct path_step *s)
 static json_t *path(struct why *w, bool with_path)
 {
     json_t *o = json_object(), *steps = json_array();
-    json_set(o, "length_ps", ps(w->length));
+    json_set(o, "length_ps", json_ps(w->length));
     json_set(o, "jumps", json_integer((json_int_t)w->path.jumps));
     json_set(o, "by_class", classes(w));
-    json_set(o, "entering_handlers_ps", ps(w->entering));
+    json_set(o, "entering_handlers_ps", json_ps(w->entering));
     for (int s = 0; s < WHY_SHARES; s++)
         json_set(o, why_share_key((enum why_share)s), share(&w->shares[s]));
     for (size_t i = 0; i < w->path.count && with_path; i++)
@@ -93,8 +88,8 @@ static json_t *longest(const struct why *w, const struct wait_group *g)
     json_t *o = json_object();
     json_set(o, "wait", json_integer(g->longest));
     json_set(o, "node", json_text(why_node_name(w, w->t->waits[g->longest].node)));
-    json_set(o, "begin_ps", ps(w->t->waits[g->longest].begin));
-    json_set(o, "idle_ps", ps(g->longest_idle));
+    json_set(o, "begin_ps", json_ps(w->t->waits[g->longest].begin));
+    json_set(o, "idle_ps", json_ps(g->longest_idle));
     return o;
 }
 
@@ -104,7 +99,7 @@ static json_t *group(const struct why *w, const struct wait_group *g)
     json_set(row, "cause", json_text(wait_cause_key(g->cause)));
     if (g->cause == WAIT_LATE_SENDER || g->cause == WAIT_LATE_RECEIVER)
         json_set(row, "partner_was", json_text(trace_state_name(g->doing)));
-    json_set(row, "idle_ps", ps(g->idle));
+    json_set(row, "idle_ps", json_ps(g->idle));
     json_set(row, "waits", json_integer((json_int_t)g->waits));
     json_set(row, "nodes", json_integer(g->nodes));
     json_set(row, "in", json_text(g->call));
@@ -122,9 +117,9 @@ static json_t *group(const struct why *w, const struct wait_group *g)
 static json_t *waits(const struct why *w)
 {
     json_t *o = json_object(), *causes = json_object(), *list = json_array();
-    json_set(o, "idle_ps", ps(w->causes.idle));
+    json_set(o, "idle_ps", json_ps(w->causes.idle));
     for (int i = 0; i < WAIT_CAUSES; i++)
-        json_set(causes, wait_cause_key((enum wait_cause)i), ps(w->causes.by_cause[i]));
+        json_set(causes, wait_cause_key((enum wait_cause)i), json_ps(w->causes.by_cause[i]));
     json_set(o, "by_cause_ps", causes);
     for (size_t i = 0; i < w->group_count; i++)
         json_append(list, group(w, &w->groups[i]));
@@ -144,7 +139,7 @@ static json_t *show_reruns(const struct reruns *r)
         json_set(row, "what", json_text(x->what));
         json_set(row, "settings", json_texts(x->set));
         if (x->done)
-            json_set(row, "end_ps", ps(x->end));
+            json_set(row, "end_ps", json_ps(x->end));
         else
             json_set(row, "error", json_text(x->error));
         json_append(list, row);
@@ -170,9 +165,9 @@ json_t *why_json(struct why *w, const struct why_report_options *o, bool with_pa
     json_set(root, "program", json_text(t->program));
     json_set(root, "machine", json_text(t->machine));
     json_set(root, "nodes", json_integer(trace_nodes_ran(t)));
-    json_set(root, "from_ps", ps(t->from));
-    json_set(root, "to_ps", ps(t->to));
-    json_set(root, "end_ps", ps(t->end));
+    json_set(root, "from_ps", json_ps(t->from));
+    json_set(root, "to_ps", json_ps(t->to));
+    json_set(root, "end_ps", json_ps(t->end));
     json_set(root, "sentences", sentences(w));
     json_set(root, "critical_path", path(w, with_path));
     json_set(root, "waits", waits(w));

@@ -54,10 +54,10 @@ static void more(size_t shown, size_t count, FILE *f)
 /* --- the path --- */
 
 /* A part of the path, and what would be without. */
-static void class_row(const struct why *w, const char *name, vtime part, FILE *f)
+static void class_row(const struct why *w, const char *name, vtime_sum part, FILE *f)
 {
     struct why_unit u = why_unit_for(w->length);
-    vtime left = w->length - part;
+    vtime_sum left = w->length - part;
     fprintf(f, "  %-28s %12s %7.2f     at least %9s   at most %5s\n", name, why_number(u, part).text,
             100 * (double)part / (double)w->length, why_number(u, left).text,
             why_faster(w->length, left).text);
@@ -217,18 +217,12 @@ static void show_reruns(struct why *w, const struct reruns *r, FILE *f)
         show_rerun(u, &r->list[i], w->t->end, f);
 }
 
-static double seconds_more(vtime a, vtime b)
-{
-    return a >= b ? vt_seconds(a - b) : -vt_seconds(b - a);
-}
-
 /* The class of which this run's path has most more than the other's. */
 static enum why_class grown(const struct why *w, const struct why *than)
 {
     int most = 0;
     for (int i = 1; i < WHY_CLASSES; i++)
-        if (seconds_more(w->by_class[i], than->by_class[i]) >
-            seconds_more(w->by_class[most], than->by_class[most]))
+        if (w->by_class[i] - than->by_class[i] > w->by_class[most] - than->by_class[most])
             most = i;
     return (enum why_class)most;
 }
@@ -237,7 +231,7 @@ static enum why_class grown(const struct why *w, const struct why *than)
 static void say_difference(struct why *w, struct why *than, struct why_unit u, FILE *f)
 {
     enum why_class most = grown(w, than);
-    vtime grown_to = w->by_class[most], grown_from = than->by_class[most];
+    vtime_sum grown_to = w->by_class[most], grown_from = than->by_class[most];
     bool longer = w->length > than->length;
     const int32_t nodes = trace_nodes_ran(than->t);
     char *text = xasprintf("The run of %s, on %" PRId32 " node%s%s, took %s. This one took ", than->t->path,
@@ -257,7 +251,7 @@ static void say_difference(struct why *w, struct why *than, struct why_unit u, F
     free(text);
 }
 
-static void compare_row(struct why_unit u, const char *name, vtime this_run, vtime other, FILE *f)
+static void compare_row(struct why_unit u, const char *name, vtime_sum this_run, vtime_sum other, FILE *f)
 {
     bool more = this_run >= other;
     struct why_text by = why_number(u, more ? this_run - other : other - this_run);

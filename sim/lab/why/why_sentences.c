@@ -10,7 +10,7 @@
 /* A part of the path, or of waits, is worth a word from one percent on. */
 enum { WORTH = 100 };
 
-static bool worth_a_word(vtime part, vtime whole)
+static bool worth_a_word(vtime_sum part, vtime_sum whole)
 {
     return part && part >= whole / WORTH;
 }
@@ -72,7 +72,7 @@ static void about(struct why *w, FILE *f)
 /* The path's steps that count: those of one node, or all. */
 struct part {
     int32_t node; /* TRACE_NONE: all */
-    vtime time, of[WHY_CLASSES];
+    vtime_sum time, of[WHY_CLASSES];
 };
 
 static struct part part_of(struct why *w, int32_t node)
@@ -190,9 +190,9 @@ static void say_classes(struct why *w, const struct part *p, FILE *f)
 }
 
 /* The time of the nodes' programs, but for one node. */
-static vtime time_of_others(const struct why *w, int32_t but, vtime *idle)
+static vtime_sum time_of_others(const struct why *w, int32_t but, vtime_sum *idle)
 {
-    vtime all = 0;
+    vtime_sum all = 0;
     *idle = 0;
     for (int32_t i = 0; i < w->t->node_count; i++) {
         vtime end = vt_min(w->t->nodes[i].end, w->t->to);
@@ -208,7 +208,7 @@ static vtime time_of_others(const struct why *w, int32_t but, vtime *idle)
  * waits nobody can say. */
 static bool all_work(const struct why *w)
 {
-    vtime idle, all = time_of_others(w, TRACE_NONE, &idle), run = 0;
+    vtime_sum idle, all = time_of_others(w, TRACE_NONE, &idle), run = 0;
     for (int32_t i = 0; i < w->t->node_count; i++)
         run += w->t->nodes[i].traced ? w->length : 0;
     return w->t->node_count > 1 && !w->some_nodes && run - (all - idle) < run / 20;
@@ -263,7 +263,7 @@ static void cause(struct why *w, FILE *f)
     bool one = one_decides(w, &node, &time);
     struct why_unit u = why_unit_for(w->length);
     struct part p = part_of(w, one ? node : TRACE_NONE);
-    vtime served = p.of[WHY_HANDLERS] + p.of[WHY_OTHER_MESSAGES];
+    vtime_sum served = p.of[WHY_HANDLERS] + p.of[WHY_OTHER_MESSAGES];
     int most = WHY_CALLS;
     for (int i = WHY_CALLS; i < WHY_CLASSES; i++)
         most = p.of[i] > p.of[most] ? i : most;
@@ -282,7 +282,7 @@ static void cause(struct why *w, FILE *f)
             node_words(w, node), why_time(u, served).text, why_percent(served, w->length).text,
             p.of[WHY_HANDLERS] >= p.of[WHY_OTHER_MESSAGES] ? "handlers" : "interrupts of its system");
     } else {
-        vtime whole = part_of(w, TRACE_NONE).of[most];
+        vtime_sum whole = part_of(w, TRACE_NONE).of[most];
         fprintf(f, "Besides computing, the largest cause is %s: %s of the path.",
                 why_class_subject((enum why_class)most), why_percent(whole, w->length).text);
     }
@@ -291,9 +291,9 @@ static void cause(struct why *w, FILE *f)
 /* --- waiting --- */
 
 /* The node for which others waited longest, but for the waits of one node. */
-static int32_t awaited(const struct why *w, int32_t but, vtime *time)
+static int32_t awaited(const struct why *w, int32_t but, vtime_sum *time)
 {
-    vtime *of = xcalloc((size_t)w->t->node_count, sizeof *of);
+    vtime_sum *of = xcalloc((size_t)w->t->node_count, sizeof *of);
     int32_t most = 0;
     for (size_t i = 0; i < w->causes.count; i++)
         if (w->causes.parts[i].partner != TRACE_NONE && w->causes.parts[i].node != but)
@@ -331,7 +331,7 @@ static const char *cause_words(enum wait_cause cause, enum trace_state doing)
 struct reason {
     enum wait_cause cause;
     enum trace_state doing;
-    vtime idle;
+    vtime_sum idle;
 };
 
 static int by_idle(const void *a, const void *b)
@@ -344,7 +344,7 @@ static int by_idle(const void *a, const void *b)
 
 /* Why nodes, but for one, waited for the partner (TRACE_NONE: for anybody), the longest first; in shares of
  * all their waiting. */
-static void say_reasons(const struct why *w, int32_t but, int32_t partner, vtime all, FILE *f)
+static void say_reasons(const struct why *w, int32_t but, int32_t partner, vtime_sum all, FILE *f)
 {
     struct reason reasons[WAIT_CAUSES * TRACE_STATES];
     for (int i = 0; i < WAIT_CAUSES * TRACE_STATES; i++)
@@ -363,13 +363,14 @@ static void say_reasons(const struct why *w, int32_t but, int32_t partner, vtime
 
 static void waiting(struct why *w, FILE *f)
 {
-    vtime part, for_one, idle;
+    vtime part;
+    vtime_sum for_one, idle;
     int32_t node;
     if (w->some_nodes)
         return; /* the tables are about some nodes, the sentences about all */
     bool one = one_decides(w, &node, &part);
     int32_t but = one ? node : TRACE_NONE, partner = awaited(w, but, &for_one);
-    vtime all = time_of_others(w, but, &idle);
+    vtime_sum all = time_of_others(w, but, &idle);
     if (!w->causes.idle) {
         fputs("No node waited.", f);
         return;
@@ -401,7 +402,7 @@ static void what_if(struct why *w, FILE *f)
         int most = tally_longest(w->by_class, WHY_CLASSES, said);
         if (most < 0 || !worth_a_word(w->by_class[most], w->length))
             return;
-        vtime left = w->length - w->by_class[most];
+        vtime_sum left = w->length - w->by_class[most];
         if (!left)
             return; /* the sentence about causes says that there is no other */
         fprintf(f, "%s%s took no time, the run would take at least %s, and be at most %s times faster.",

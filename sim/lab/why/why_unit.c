@@ -2,7 +2,7 @@
 #include "lab/why/why_unit.h"
 #include <inttypes.h>
 
-struct why_unit why_unit_for(vtime length)
+struct why_unit why_unit_for(vtime_sum length)
 {
     if (length >= VT_SECOND)
         return (struct why_unit){"s", VT_SECOND};
@@ -11,14 +11,14 @@ struct why_unit why_unit_for(vtime length)
     return (struct why_unit){"us", VT_MICROSECOND};
 }
 
-struct why_text why_number(struct why_unit u, vtime t)
+struct why_text why_number(struct why_unit u, vtime_sum t)
 {
     struct why_text x;
     snprintf(x.text, sizeof x.text, "%.3f", (double)t / (double)u.ps);
     return x;
 }
 
-struct why_text why_time(struct why_unit u, vtime t)
+struct why_text why_time(struct why_unit u, vtime_sum t)
 {
     struct why_text x;
     double value = (double)t / (double)u.ps;
@@ -26,7 +26,7 @@ struct why_text why_time(struct why_unit u, vtime t)
     return x;
 }
 
-struct why_text why_percent(vtime part, vtime whole)
+struct why_text why_percent(vtime_sum part, vtime_sum whole)
 {
     struct why_text x;
     double percent = whole ? 100 * (double)part / (double)whole : 0;
@@ -39,7 +39,7 @@ struct why_text why_percent(vtime part, vtime whole)
     return x;
 }
 
-struct why_text why_faster(vtime before, vtime after)
+struct why_text why_faster(vtime_sum before, vtime_sum after)
 {
     struct why_text x;
     double times = after ? (double)before / (double)after : 0;
