@@ -315,8 +315,10 @@ void machine_free(struct machine *m)
 uint32_t machine_program_sum(const struct machine *m)
 {
     uint32_t sum = 0;
-    for (size_t i = 0; i < m->image_count; i++)
+    for (size_t i = 0; i < m->image_count; i++) {
         sum = sum * 31 + elf_loaded_sum(node_image_elf(m->images[i]));
+        sum += i ? m->options.more[i - 1].nodes : 0;
+    }
     return sum;
 }
 

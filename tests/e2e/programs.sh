@@ -75,6 +75,11 @@ check "not with --host" said 'HOST loads the nodes'
 run -q --profile p -n 1 master : -n 1 slave
 check "no profile of several programs" said 'profile is for one program'
 
+run -q -n 1 --record plan master : -n 2 ./slave : -n 1 ./slave
+run -q -n 1 --replay plan master : -n 2 ./slave : -n 1 ./slave
+check "a schedule replayed" test ! -s err
+run -q -n 1 --replay plan master : -n 1 ./slave : -n 2 ./slave
+check "a schedule knows which nodes have which program" said 'was recorded of another program'
 run -q -n 1 --record plan master : -n 2 ./slave
 nxcc -DFACTOR=3 -o slave
 run -q -n 1 --replay plan master : -n 2 ./slave
