@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "files/scratch.h"
 #include "guest/debugger_file.h"
 #include "guest/image.h"
@@ -109,11 +110,23 @@ static const char *base_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
+/* Where the copy goes: it has the program's name, and a number if another program's copy has that name.
+ * Malloc'd; NULL: there is no folder. */
+static char *new_path(const struct debugger *d, const char *name)
+{
+    char *path = d->scratch.path ? xasprintf("%s/%s", d->scratch.path, name) : NULL;
+    for (int i = 2; path && access(path, F_OK) == 0; i++) {
+        free(path);
+        path = xasprintf("%s/%s-%d", d->scratch.path, name, i);
+    }
+    return path;
+}
+
 /* The copy for the debugger; else the file itself, whose global variables the debugger takes for node 0's.
  * Malloc'd. */
 static char *make_file(const struct debugger *d, const struct elf_file *elf)
 {
-    char *path = d->scratch.path ? xasprintf("%s/%s", d->scratch.path, base_name(elf->path)) : NULL;
+    char *path = new_path(d, base_name(elf->path));
     if (path && debugger_file_write(elf, path))
         return path;
     free(path);

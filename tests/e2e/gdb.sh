@@ -86,6 +86,10 @@ check "512 nodes: a breakpoint on one" shows '^\$1 = 500$'
 check "512 nodes: a thread each" test "$(grep -c '"node [0-9]*"  ' out)" = 512
 in_gdb 'break relax if me == 2' run 'print me' bt kill 'run' 'print rounds_done' -- -n 4 gdbO0
 check "the run can be started again" test "$(grep -c 'hit Breakpoint' out)" = 2
+mkdir other
+cp gdbO0 other
+in_gdb 'break relax if me == 3' run 'print me' 'print width' 'delete' c -- -q -n 2 gdbO0 : -n 1 gdbO0 : -n 1 other/gdbO0
+check "several programs of one name: each node has its own variables" shows '^\$1 = 3$'
 # As a user's Ctrl-C.
 (
     interrupted() {
