@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "files/atomic_file.h"
+#include "files/program_file.h"
 #include "kernel/xalloc.h"
 #include "srm/client.h"
 #include "srm/socket.h"
@@ -78,6 +79,8 @@ static void load_program(struct argp_state *state, struct arguments *a)
 {
     if (access(state->argv[state->next], R_OK))
         argp_error(state, "%s: %s", state->argv[state->next], strerror(errno));
+    if (named_program_words(state->argv + state->next, state->argc - state->next) < state->argc - state->next)
+        argp_error(state, "a cube has one program, on all of its nodes: no ': -n NODES PROGRAM'");
     for (int i = state->next; i < state->argc; i++)
         add_word(a, state->argv[i]);
 }

@@ -45,29 +45,15 @@ static void begin(struct argp_state *state, struct cli_program *p)
     state->child_inputs[0] = &p->machine;
 }
 
-/* Does another program begin here: `: -n NODES PROGRAM`, as mpiexec takes them? */
-static bool begins_other(char *const *words, int count)
-{
-    return count > 3 && !strcmp(words[0], ":") && (!strcmp(words[1], "-n") || !strcmp(words[1], "-np"));
-}
-
-static int words_of_program(char *const *words, int count)
-{
-    int n = 1;
-    while (n < count && !begins_other(words + n, count - n))
-        n++;
-    return n;
-}
-
 /* What follows the program's name is the program's, up to other programs. */
 static void take_program(struct argp_state *state, struct cli_program *p)
 {
     p->program = state->argv + state->next;
     p->program_count = state->argc - state->next;
-    p->first_count = words_of_program(p->program, p->program_count);
+    p->first_count = named_program_words(p->program, p->program_count);
     for (int i = p->first_count; i < p->program_count;) {
         char **words = p->program + i + 3;
-        int count = words_of_program(words, p->program_count - i - 3);
+        int count = named_program_words(words, p->program_count - i - 3);
         p->more = xreallocarray(p->more, p->more_count + 1, sizeof *p->more);
         p->more[p->more_count++] = (struct named_program){
             cli_whole(state, "-n", "a number of nodes", UINT32_MAX, words[-1]), count, words};

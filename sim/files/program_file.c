@@ -3,9 +3,23 @@
 #include <errno.h>
 #include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include "kernel/xalloc.h"
+
+static bool begins_other(char *const *words, int count)
+{
+    return count > 3 && !strcmp(words[0], ":") && (!strcmp(words[1], "-n") || !strcmp(words[1], "-np"));
+}
+
+int named_program_words(char *const *words, int count)
+{
+    int n = 1;
+    while (n < count && !begins_other(words + n, count - n))
+        n++;
+    return n;
+}
 
 static bool is_there(const char *path)
 {

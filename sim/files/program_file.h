@@ -10,6 +10,10 @@ struct named_program {
     char **argv;
 };
 
+/* So many of the words, 1 or more of them, are a program's with its arguments. Then comes another one:
+ * `: -n NODES PROGRAM`, as mpiexec takes them. */
+int named_program_words(char *const *words, int count);
+
 /* The path of the program `name`, malloc'd. A relative name is looked for in the folder `here` (NULL: the
  * current one), then in the folder `brought` of the programs that come with touchstone. If it is in none,
  * NULL, and *error, malloc'd, lists where it was looked for. */

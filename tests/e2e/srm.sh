@@ -84,6 +84,8 @@ ask load -c default no_such_program
 check "load of nothing: exit status 64" ended_with 64
 ask load -c default -r -n64 ring
 check "load on more nodes than the cube has" said 'r -n64: the cube says which nodes'
+ask load -c default ring : -n 2 ring
+check "load of programs on more nodes than the cube has" said 'a cube has one program, on all of its nodes'
 ask load -c default --host farm farm_node 8
 ask waitcube -c default
 check "a host program and its nodes" grep -qx '50 pieces, sum 12497500, 50 told of' out
