@@ -260,3 +260,7 @@ traced -n 32 long
 why --json long.json t.trace
 check "waits of more picoseconds than 64 bits hold" prints 'waited for more than 99\.9 % of their time, 31000000\.0 s in all.* all idle time +32000000\.000 +100\.00'
 check "and so in the file" grep -q '^  "idle_ps": 3.2e19,' long.json
+
+traced --trace-nodes 1 -n 4 ring
+why t.trace
+check "a trace of one node: not that it decides" eval '! prints " decides how long|All nodes work" && prints "its largest part, [0-9.]+ %, is on node 1|is on node 1 alone"'

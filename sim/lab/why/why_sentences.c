@@ -41,6 +41,14 @@ static void where(const struct trace *t, FILE *f)
             t->topo.host ? " and its host" : "");
 }
 
+static int32_t untraced(const struct trace *t)
+{
+    int32_t count = 0;
+    for (int32_t i = 0; i < t->node_count; i++)
+        count += !t->nodes[i].traced;
+    return count;
+}
+
 static void about(struct why *w, FILE *f)
 {
     const struct trace *t = w->t;
@@ -53,13 +61,11 @@ static void about(struct why *w, FILE *f)
                 why_time(u, t->to).text);
     if (!t->complete)
         fprintf(f, " The trace ends early: the run was killed.");
-    int32_t stuck = 0, untraced = 0;
-    for (int32_t i = 0; i < t->node_count; i++)
-        untraced += !t->nodes[i].traced;
-    if (untraced)
+    int32_t stuck = 0;
+    if (untraced(t))
         fprintf(f,
                 " The trace has only %" PRId32 " of its %" PRId32 " nodes: what the others did is not known.",
-                t->node_count - untraced, t->node_count);
+                t->node_count - untraced(t), t->node_count);
     for (int32_t i = 0; i < t->call_count; i++)
         stuck += t->calls[i].unfinished;
     if (t->complete && stuck && t->to == t->end)
@@ -205,20 +211,20 @@ static vtime_sum time_of_others(const struct why *w, int32_t but, vtime_sum *idl
 }
 
 /* Do all nodes work for nearly all of the run? Less work on one of them would change little. Of some nodes'
- * waits nobody can say. */
+ * waits nobody can say, nor of nodes that are not traced. */
 static bool all_work(const struct why *w)
 {
     vtime_sum idle, all = time_of_others(w, TRACE_NONE, &idle), run = 0;
     for (int32_t i = 0; i < w->t->node_count; i++)
         run += w->t->nodes[i].traced ? w->length : 0;
-    return w->t->node_count > 1 && !w->some_nodes && run - (all - idle) < run / 20;
+    return w->t->node_count > 1 && !w->some_nodes && !untraced(w->t) && run - (all - idle) < run / 20;
 }
 
 /* Does one node have more than three quarters of the path, and others time to spare? */
 static bool one_decides(struct why *w, int32_t *node, vtime *part)
 {
     *node = why_main_node(w, part);
-    return *part > w->length / 4 * 3 && w->t->node_count > 1 && !all_work(w);
+    return *part > w->length / 4 * 3 && w->t->node_count > 1 && !all_work(w) && !untraced(w->t);
 }
 
 static void path(struct why *w, FILE *f)
