@@ -86,9 +86,7 @@ static void make_room(struct evq *q)
 
 struct evq *evq_new(void)
 {
-    struct evq *q = calloc(1, sizeof(struct evq));
-    if (!q)
-        return NULL;
+    struct evq *q = xcalloc(1, sizeof *q);
     q->chunks.bytes = sizeof(struct chunk);
     make_room(q);
     return q;
