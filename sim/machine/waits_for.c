@@ -228,12 +228,24 @@ static void fill(const struct filling *f, const struct node *n, struct waitfor_n
     fill_mailbox(f, n, to);
 }
 
+/* Does a program of the nodes know of a host? */
+static bool knows_host(const struct node_system *s)
+{
+    const struct node_image *before = NULL;
+    for (uint32_t i = 0; i < s->count; i++) {
+        const struct node_image *image = s->nodes[i]->guest.file;
+        if (image != before && node_image_uses(image, "myhost"))
+            return true;
+        before = image;
+    }
+    return false;
+}
+
 struct waitfor *waits_for(const struct node_system *s)
 {
     struct waitfor *w = waitfor_new(s->count + (s->host != NULL));
     struct filling f = {s, w, backtrace_lines_new()};
-    w->may_lack_host = !s->host && s->cfg->host.clock_hz && !s->messages &&
-                       node_image_uses(s->nodes[0]->guest.file, "myhost");
+    w->may_lack_host = !s->host && s->cfg->host.clock_hz && !s->messages && knows_host(s);
     for (uint32_t i = 0; i < s->count; i++) {
         fill(&f, s->nodes[i], &w->nodes[i]);
         w->now_ps = vt_max(w->now_ps, s->nodes[i]->stats.ended_at);

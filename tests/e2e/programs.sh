@@ -72,6 +72,11 @@ run -q -n 1 master : -n 1 ./none
 check "a program that is not there" said 'there is no program ./none'
 run -q -n 1 --host master slave : -n 1 slave
 check "not with --host" said 'HOST loads the nodes'
+printf '#include "nx.h"\nint main(void) { long x; crecv(3, &x, 8); return 0; }\n' >waits.c
+sed 's/crecv/if (mynode() < 0) csend(1, \&x, 8, myhost(), 0); &/' waits.c >knows.c
+"$BUILD/nxcc" -O2 -o waits waits.c && "$BUILD/nxcc" -O2 -o knows knows.c
+run -q -m ipsc860 -n 2 waits : -n 1 knows
+check "a program that knows of a host, wherever it is, may lack it" said '^    A node has to send first, or a host program'
 run -q --profile p -n 1 master : -n 1 slave
 check "no profile of several programs" said 'profile is for one program'
 
