@@ -25,6 +25,8 @@ allowed "files of the current folder" w new - r new - stat new - mkdir sub - ren
 allowed "a path with .. that comes back" r ../here/inside - r round - chdir .. - chdir here - r inside -
 allowed "folders on the way" stat / - stat .. - lstat ../../ -
 allowed "devices that hold nothing" w /dev/null - r /dev/zero -
+check "a node's own standard streams, whatever the run's are" eval '[ "$("$BUILD/touchstone" run -q host_files \
+    w /dev/stdout - stat /dev/stderr - r /dev/fd/0 - </dev/null 2>&1 | grep -c works)" = 3 ]'
 allowed "temporary files" temporary /tmp/host_files_XXXXXX -
 run -q host_files r none - excl inside - nofollow round - r sub/none/x - mkdir inside - rmdir none -
 check "other errors are answers" bash -c '[ "$(grep -c fails out)" = 6 ]'
