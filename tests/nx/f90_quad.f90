@@ -1,7 +1,8 @@
-! f90_quad.f90 - REAL(16): 33 digits of what is read, computed by libquadmath, sent and printed.
+! f90_quad.f90 - REAL(16): 33 digits of what is read, computed by libquadmath, sent, printed and classified.
 ! run: -m delta -n 1
 ! run: -m paragon -n 3
 program quad
+    use, intrinsic :: ieee_arithmetic
     implicit none
     integer, parameter :: k = selected_real_kind(30)
     real(k) :: x, y
@@ -21,5 +22,6 @@ program quad
     if (mynode() == mod(1, numnodes())) then
         call crecv(1, y, 16)
         print '(f42.32)', y*10
+        print *, ieee_class(-y) == ieee_negative_normal, ieee_is_nan(ieee_value(y, ieee_quiet_nan))
     end if
 end program quad
