@@ -16,6 +16,12 @@ void *xrealloc(void *block, size_t bytes);
 void *xreallocarray(void *block, size_t count, size_t bytes);
 char *xstrdup(const char *text);
 char *xstrndup(const char *text, size_t most);
+/* Room for one more behind `count` items of a list that this function alone makes grow: the room is a power
+ * of two, so that nobody has to keep it. */
+static inline void *xgrown(void *list, size_t count, size_t bytes)
+{
+    return count & (count - 1) ? list : xreallocarray(list, count ? 2 * count : 1, bytes);
+}
 /* As posix_memalign: alignment is a power of two, at least sizeof(void *). */
 void *xaligned(size_t alignment, size_t bytes);
 

@@ -15,8 +15,7 @@ void delays_free(struct delays *d)
 
 void delays_append(struct delays *d, struct delay one)
 {
-    if ((d->count & (d->count - 1)) == 0) /* a power of two, or 0: full */
-        d->list = xreallocarray(d->list, d->count ? 2 * d->count : 1, sizeof *d->list);
+    d->list = xgrown(d->list, d->count, sizeof *d->list);
     d->list[d->count++] = one;
 }
 

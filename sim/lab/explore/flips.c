@@ -21,8 +21,7 @@ struct flip_search {
 static void add(struct flip_search *s, struct flip f)
 {
     struct flips *all = &s->found;
-    if ((all->count & (all->count - 1)) == 0)
-        all->list = xreallocarray(all->list, all->count ? 2 * all->count : 1, sizeof *all->list);
+    all->list = xgrown(all->list, all->count, sizeof *all->list);
     all->list[all->count++] = f;
 }
 

@@ -107,13 +107,9 @@ static bool numbers(struct reader *in, const struct item *it, const char *what, 
 
 /* --- items ---------------------------------------------------------------------------------------------- */
 
-/* Room for one more in a table of that many. */
-#define GROWN(table, count)                                                                                  \
-    ((count) & ((count)-1) ? (table) : xreallocarray(table, (count) ? 2 * (count) : 1, sizeof *(table)))
-
 static void add_message(struct recording *r, const struct item *it, const uint64_t v[3], bool taken)
 {
-    r->messages = GROWN(r->messages, r->message_count);
+    r->messages = xgrown(r->messages, r->message_count, sizeof *r->messages);
     r->messages[r->message_count++] = (struct rec_message){.from = (uint32_t)v[1],
                                                            .to = (uint32_t)v[0],
                                                            .number = v[2],
@@ -133,7 +129,7 @@ static bool take_match(struct reader *in, const struct item *it)
     if (!numbers(in, it, "ncnc", v))
         return false;
     add_message(r, it, (uint64_t[]){v[0], v[2], v[3]}, true);
-    r->receives = GROWN(r->receives, r->receive_count);
+    r->receives = xgrown(r->receives, r->receive_count, sizeof *r->receives);
     r->receives[r->receive_count++] = (struct rec_receive){.node = (uint32_t)v[0],
                                                            .number = v[1],
                                                            .from = (uint32_t)v[2],
@@ -162,7 +158,7 @@ static bool take_handler(struct reader *in, const struct item *it)
     uint64_t v[3];
     if (!numbers(in, it, "ncc", v))
         return false;
-    r->handlers = GROWN(r->handlers, r->handler_count);
+    r->handlers = xgrown(r->handlers, r->handler_count, sizeof *r->handlers);
     r->handlers[r->handler_count++] = (struct rec_handler){.node = (uint32_t)v[0],
                                                            .number = v[1],
                                                            .calls = v[2],

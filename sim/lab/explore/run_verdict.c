@@ -21,8 +21,7 @@ struct lines {
 
 static void add_line(struct lines *l, char *line)
 {
-    if ((l->count & (l->count - 1)) == 0)
-        l->list = xreallocarray(l->list, l->count ? 2 * l->count : 1, sizeof *l->list);
+    l->list = xgrown(l->list, l->count, sizeof *l->list);
     l->list[l->count++] = line;
 }
 

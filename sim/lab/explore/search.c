@@ -259,8 +259,7 @@ static bool reordered(const struct outcome_group *g, const json_t *record)
 
 static void take_one(struct search *s, const struct planned_run *r)
 {
-    if ((s->run_count & (s->run_count - 1)) == 0)
-        s->runs = xreallocarray(s->runs, s->run_count ? 2 * s->run_count : 1, sizeof *s->runs);
+    s->runs = xgrown(s->runs, s->run_count, sizeof *s->runs);
     size_t run = s->run_count, outcome = outcome_of(s, r);
     struct outcome_group *g = &s->outcomes[outcome];
     s->runs[run] = (struct explored){

@@ -17,7 +17,7 @@ struct reading {
     const struct flame_selection *select;
     uint32_t nodes;
     struct flame_frame **spots; /* by number in the file */
-    size_t spot_count, line_room;
+    size_t spot_count;
 };
 
 static struct flame_frame *new_frame(struct flame_frame *parent, enum flame_kind kind, const char *name,
@@ -124,10 +124,7 @@ static bool sum_nodes(const struct reading *r, const char *text, vtime_sum *sum)
 static void add_line(struct reading *r, const struct flame_frame *f, const char *file, int line, vtime_sum t)
 {
     struct flame *flame = r->flame;
-    if (flame->line_count == r->line_room) {
-        r->line_room = r->line_room ? 2 * r->line_room : 64;
-        flame->lines = xreallocarray(flame->lines, r->line_room, sizeof *flame->lines);
-    }
+    flame->lines = xgrown(flame->lines, flame->line_count, sizeof *flame->lines);
     const struct flame_frame *function = f->kind == FLAME_LIBRARY ? f->parent : f;
     struct flame_line *l = &flame->lines[flame->line_count++];
     *l = (struct flame_line){.file = xstrdup(file), .line = line, .function = xstrdup(function->name)};
@@ -205,8 +202,7 @@ static bool load(struct flame *f, int profile, const char *path, const struct fl
                  char **error)
 {
     json_error_t at;
-    struct reading r = {
-        .flame = f, .profile = profile, .path = path, .select = s, .line_room = f->line_count};
+    struct reading r = {.flame = f, .profile = profile, .path = path, .select = s};
     errno = 0;
     json_t *j = strcmp(path, "-") ? json_load_file(path, 0, &at) : json_loadf(stdin, 0, &at);
     if (!j) {

@@ -68,7 +68,7 @@ static bool leads(const char *text, struct code_point *p)
 static void read_lines(FILE *in, struct program_code *c)
 {
     char *line = NULL, *end;
-    size_t size = 0, room = 0;
+    size_t size = 0;
     bool open = false; /* the last point's `next` is not known yet */
     while (getline(&line, &size, in) > 0) {
         uint64_t at = strtoull(line, &end, 16);
@@ -79,10 +79,7 @@ static void read_lines(FILE *in, struct program_code *c)
         struct code_point p = {.at = at, .next = at};
         if (!(open = leads(end + 2, &p)))
             continue;
-        if (c->count == room) {
-            room = room ? 2 * room : 1024;
-            c->points = xreallocarray(c->points, room, sizeof *c->points);
-        }
+        c->points = xgrown(c->points, c->count, sizeof *c->points);
         c->points[c->count++] = p;
     }
     free(line);

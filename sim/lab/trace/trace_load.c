@@ -202,20 +202,14 @@ static vtime later(struct loading *l, vtime *last)
 /* Keeps a table's next entry; the tables grow by doubling. */
 #define ADD(l, table, entry)                                                                                 \
     do {                                                                                                     \
-        if ((l)->t->table##_count == (l)->table##_room) {                                                    \
-            (l)->table##_room = (l)->table##_room ? 2 * (l)->table##_room : 1024;                            \
-            (l)->t->table##s =                                                                               \
-                xreallocarray((l)->t->table##s, (size_t)(l)->table##_room, sizeof *(l)->t->table##s);        \
-        }                                                                                                    \
+        (l)->t->table##s =                                                                                   \
+            xgrown((l)->t->table##s, (size_t)(l)->t->table##_count, sizeof *(l)->t->table##s);               \
         (l)->t->table##s[(l)->t->table##_count++] = (entry);                                                 \
     } while (0)
 
 static void keep_link(struct loading *l, struct link link)
 {
-    if (l->link_count == l->link_room) {
-        l->link_room = l->link_room ? 2 * l->link_room : 1024;
-        l->links = xreallocarray(l->links, l->link_room, sizeof *l->links);
-    }
+    l->links = xgrown(l->links, l->link_count, sizeof *l->links);
     l->links[l->link_count++] = link;
 }
 

@@ -191,7 +191,7 @@ struct trace_piece {
 
 struct trace_pieces {
     struct trace_piece *list;
-    size_t count, room;
+    size_t count;
 };
 
 /* Appends the pieces of a node (all of them: p->list is freed by the caller). */

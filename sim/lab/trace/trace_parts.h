@@ -20,8 +20,7 @@ struct loading {
     struct unpacker *in;
     bool bad;
     struct link *links;
-    size_t link_count, link_room;
-    int32_t call_room, wait_room, handler_room, system_room, message_room, block_room;
+    size_t link_count;
     vtime *last, *last_system, last_sent; /* by node: what the next record's time is told from */
 };
 

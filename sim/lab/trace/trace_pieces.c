@@ -25,10 +25,7 @@ static void add(struct cursor *c, struct trace_piece p)
     struct trace_pieces *out = c->out;
     if (p.begin >= p.end)
         return;
-    if (out->count == out->room) {
-        out->room = out->room ? 2 * out->room : 64;
-        out->list = xreallocarray(out->list, out->room, sizeof *out->list);
-    }
+    out->list = xgrown(out->list, out->count, sizeof *out->list);
     out->list[out->count++] = p;
 }
 

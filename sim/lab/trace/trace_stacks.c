@@ -23,7 +23,7 @@ struct program {
     bool tried;                /* to open it */
     struct program_code *code; /* NULL: nobody has asked */
     struct place **places;     /* sorted by offset */
-    size_t count, room;
+    size_t count;
 };
 
 struct stack {
@@ -35,7 +35,7 @@ struct stack {
 struct trace_stacks {
     struct program *programs;
     struct stack *stacks;
-    int program_count, stack_count, stack_room;
+    int program_count, stack_count;
 };
 
 struct trace_stacks *trace_stacks_new(void)
@@ -91,10 +91,7 @@ int trace_stacks_count(const struct trace_stacks *s)
 
 void trace_stacks_add(struct trace_stacks *s, int program, const int64_t *offsets, int depth)
 {
-    if (s->stack_count == s->stack_room) {
-        s->stack_room = s->stack_room ? 2 * s->stack_room : 64;
-        s->stacks = xreallocarray(s->stacks, (size_t)s->stack_room, sizeof *s->stacks);
-    }
+    s->stacks = xgrown(s->stacks, (size_t)s->stack_count, sizeof *s->stacks);
     struct stack *k = &s->stacks[s->stack_count++];
     *k = (struct stack){.program = program, .depth = depth};
     k->offsets = xcalloc((size_t)depth, sizeof *k->offsets);
@@ -179,10 +176,7 @@ static struct trace_frame frame_at(struct program *p, const struct elf_file *f, 
     size_t at = position(p, offset);
     if (at < p->count && p->places[at]->offset == offset)
         return p->places[at]->frame;
-    if (p->count == p->room) {
-        p->room = p->room ? 2 * p->room : 32;
-        p->places = xreallocarray(p->places, p->room, sizeof *p->places);
-    }
+    p->places = xgrown(p->places, p->count, sizeof *p->places);
     memmove(p->places + at + 1, p->places + at, (p->count++ - at) * sizeof *p->places);
     struct place *place = p->places[at] = xmalloc(sizeof *place);
     place->offset = offset;

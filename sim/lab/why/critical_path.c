@@ -30,10 +30,7 @@ static void add(struct walk *w, vtime begin, struct path_step step)
     begin = vt_max(begin, w->t->from);
     if (begin >= w->at)
         return;
-    if (p->count == p->room) {
-        p->room = p->room ? 2 * p->room : 1024;
-        p->steps = xreallocarray(p->steps, p->room, sizeof *p->steps);
-    }
+    p->steps = xgrown(p->steps, p->count, sizeof *p->steps);
     step.begin = begin, step.end = w->at;
     p->steps[p->count++] = step;
     w->at = begin;

@@ -35,7 +35,7 @@ struct path_step {
 
 struct path {
     struct path_step *steps; /* in the order of time */
-    size_t count, room;
+    size_t count;
     size_t jumps; /* from one node to another */
 };
 

@@ -210,10 +210,7 @@ static void add_part(struct wait_causes *c, struct wait_part part)
 {
     if (!part.idle)
         return;
-    if (c->count == c->room) {
-        c->room = c->room ? 2 * c->room : 1024;
-        c->parts = xreallocarray(c->parts, c->room, sizeof *c->parts);
-    }
+    c->parts = xgrown(c->parts, c->count, sizeof *c->parts);
     c->parts[c->count++] = part;
     c->by_cause[part.cause] += part.idle;
 }

@@ -36,7 +36,7 @@ struct wait_part {
 
 struct wait_causes {
     struct wait_part *parts; /* by node, then in the order of time */
-    size_t count, room;
+    size_t count;
     vtime_sum idle; /* of all nodes; the sum of all parts */
     vtime_sum by_cause[WAIT_CAUSES];
 };
