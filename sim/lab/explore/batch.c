@@ -49,9 +49,7 @@ void planned_run_free(struct planned_run *r)
 
 static char *key_path(const char *folder, struct digest key, const char *end)
 {
-    char digits[DIGEST_DIGITS + 1];
-    digest_write(key, digits);
-    return xasprintf("%s/%s%s", folder, digits, end);
+    return xasprintf("%s/%s%s", folder, digest_text(key).text, end);
 }
 
 char *batch_recording(const struct batch_place *place, struct digest key)
@@ -163,11 +161,10 @@ static char *compared_file(const struct doing *d, const struct task *t)
 /* Notes in the record what a recording says of the whole run. */
 static void note_order(json_t *record, const char *path)
 {
-    char digits[DIGEST_DIGITS + 1], *error = NULL;
+    char *error = NULL;
     struct recording *r = recording_load(path, &error);
     if (r) {
-        digest_write(order_of_run(r), digits);
-        json_set(record, "order", json_string(digits));
+        json_set(record, "order", digest_json(order_of_run(r)));
         json_set(record, "delays", json_integer((json_int_t)r->delays.count));
         json_set(record, "events", json_integer((json_int_t)(r->message_count + r->handler_count)));
     }

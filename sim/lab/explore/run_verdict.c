@@ -165,9 +165,7 @@ static char *of_unended(const char *end, const char *message)
 
 static void set_digest(json_t *record, const char *key, const char *text)
 {
-    char digits[DIGEST_DIGITS + 1];
-    digest_write(digest_of(text, strlen(text)), digits);
-    json_set(record, key, json_string(digits));
+    json_set(record, key, digest_json(digest_of(text, strlen(text))));
 }
 
 /* The text's first lines. */
@@ -182,11 +180,8 @@ static json_t *shown(const char *text)
 static char *file_text(const char *path)
 {
     struct digest d;
-    char digits[DIGEST_DIGITS + 1];
-    if (!digest_file(path, &d))
-        return xstrdup(NO_FILE);
-    digest_write(d, digits);
-    return xasprintf("digest of the file: %s\n", digits);
+    return digest_file(path, &d) ? xasprintf("digest of the file: %s\n", digest_text(d).text)
+                                 : xstrdup(NO_FILE);
 }
 
 static char *of_ended(const struct verdict_rules *rules, const char *out, const char *file)

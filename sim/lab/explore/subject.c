@@ -14,31 +14,11 @@
 
 /* --- what a run depends on ------------------------------------------------------------------------------ */
 
-static json_t *digest_json(struct digest d)
-{
-    char text[DIGEST_DIGITS + 1];
-    digest_write(d, text);
-    return json_string(text);
-}
-
 /* A text as JSON: itself; its digest if it is not UTF-8; null of NULL. */
 static json_t *text_json(const char *text)
 {
     json_t *string = json_string_or_null(text);
     return string ? string : digest_json(digest_of(text, strlen(text)));
-}
-
-static bool add_file(json_t *to, const char *key, const char *path, char **error)
-{
-    struct digest d;
-    if (!path)
-        return true;
-    if (!digest_file(path, &d)) {
-        *error = xasprintf("%s cannot be read: %m", path);
-        return false;
-    }
-    json_set(to, key, digest_json(d));
-    return true;
 }
 
 static json_t *words_json(const char *const *words, size_t most)
@@ -63,21 +43,12 @@ static bool add_machine(json_t *to, const struct subject *s, char **error)
     return read;
 }
 
-static struct digest digest_of_json(json_t *all)
-{
-    char *text = xchecked(json_dumps(all, JSON_COMPACT | JSON_SORT_KEYS));
-    struct digest d = digest_of(text, strlen(text));
-    free(text);
-    json_decref(all);
-    return d;
-}
-
 static bool add_other_programs(json_t *to, const struct subject_options *o, char **error)
 {
     bool added = true;
     for (size_t i = 0; i < o->more_count && added; i++) {
         char *key = xasprintf("program %zu", i);
-        added = add_file(to, key, o->more[i].argv[0], error);
+        added = digest_set_file(to, key, o->more[i].argv[0], error);
         free(key);
     }
     return added;
@@ -101,10 +72,12 @@ static bool take_digest(struct subject *s, char **error)
         json_set(all, "unreceived", json_integer(o->max_unreceived_mb));
     if (o->input_bytes)
         json_set(all, "input", digest_json(digest_of(o->input, o->input_bytes)));
-    bool good = add_file(all, "touchstone", o->runner, error) &&
-                add_file(all, "program", s->program, error) && add_file(all, "host", s->host, error) &&
+    bool good = digest_set_file(all, "touchstone", o->runner, error) &&
+                (!s->program || digest_set_file(all, "program", s->program, error)) &&
+                (!s->host || digest_set_file(all, "host", s->host, error)) &&
                 add_other_programs(all, o, error) && add_machine(all, s, error);
     s->digest = digest_of_json(all);
+    json_decref(all);
     return good;
 }
 
@@ -114,7 +87,9 @@ struct digest subject_run_key(const struct subject *s, const struct run_timing *
     json_set(all, "subject", digest_json(s->digest));
     json_set(all, "timing", json_string_or_null(t->timing));
     json_set(all, "schedule", json_string_or_null(t->schedule));
-    return digest_of_json(all);
+    struct digest d = digest_of_json(all);
+    json_decref(all);
+    return d;
 }
 
 /* --- a subject ------------------------------------------------------------------------------------------ */
@@ -167,11 +142,10 @@ void subject_close(struct subject *s)
 bool subject_keep_input(struct subject *s, const char *folder, char **error)
 {
     struct atomic_file f;
-    char digits[DIGEST_DIGITS + 1];
     if (!s->options.input_bytes)
         return true;
-    digest_write(digest_of(s->options.input, s->options.input_bytes), digits);
-    s->input = xasprintf("%s/%s.input", folder, digits);
+    struct digest d = digest_of(s->options.input, s->options.input_bytes);
+    s->input = xasprintf("%s/%s.input", folder, digest_text(d).text);
     if (!atomic_file_begin(&f, s->input, error))
         return false;
     fwrite(s->options.input, 1, s->options.input_bytes, f.out);

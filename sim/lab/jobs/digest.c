@@ -1,9 +1,12 @@
 /* digest.c - see digest.h. SHA-256 is Nettle's. */
 #include "lab/jobs/digest.h"
+#include "files/json_set.h"
+#include "kernel/xalloc.h"
 
 #include <inttypes.h>
 #include <nettle/sha2.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static struct digest end(struct sha256_ctx *sha)
@@ -42,9 +45,35 @@ bool digest_file(const char *path, struct digest *d)
     return read;
 }
 
-void digest_write(struct digest d, char text[DIGEST_DIGITS + 1])
+struct digest digest_of_json(const json_t *value)
 {
-    snprintf(text, DIGEST_DIGITS + 1, "%016" PRIx64 "%016" PRIx64, d.high, d.low);
+    char *text = xchecked(json_dumps(value, JSON_COMPACT | JSON_SORT_KEYS));
+    struct digest d = digest_of(text, strlen(text));
+    free(text);
+    return d;
+}
+
+struct digest_text digest_text(struct digest d)
+{
+    struct digest_text t;
+    snprintf(t.text, sizeof t.text, "%016" PRIx64 "%016" PRIx64, d.high, d.low);
+    return t;
+}
+
+json_t *digest_json(struct digest d)
+{
+    return json_string(digest_text(d).text);
+}
+
+bool digest_set_file(json_t *object, const char *key, const char *path, char **error)
+{
+    struct digest d;
+    if (!digest_file(path, &d)) {
+        *error = xasprintf("%s cannot be read: %m", path);
+        return false;
+    }
+    json_set(object, key, digest_json(d));
+    return true;
 }
 
 bool digest_read(const char *text, struct digest *d)

@@ -2,6 +2,7 @@
  * equal bytes: finding two inputs of one digest would take some 2^64 attempts. */
 #ifndef LAB_JOBS_DIGEST_H
 #define LAB_JOBS_DIGEST_H
+#include <jansson.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -15,9 +16,18 @@ struct digest digest_of(const void *bytes, size_t size);
 /* The digest of a file's bytes. False with errno. */
 bool digest_file(const char *path, struct digest *d);
 
+/* Of a value as JSON, whatever the order of its members. */
+struct digest digest_of_json(const json_t *value);
+
 /* To and from hexadecimal digits; digest_read() does not need a 0 after them. */
-void digest_write(struct digest d, char text[DIGEST_DIGITS + 1]);
+struct digest_text {
+    char text[DIGEST_DIGITS + 1];
+};
+struct digest_text digest_text(struct digest d);
 bool digest_read(const char *text, struct digest *d);
+json_t *digest_json(struct digest d);
+/* Sets a member to the digest of a file's bytes. False with *error malloc'd. */
+bool digest_set_file(json_t *object, const char *key, const char *path, char **error);
 
 static inline bool digest_equal(struct digest a, struct digest b)
 {

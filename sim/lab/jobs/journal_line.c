@@ -16,10 +16,8 @@ static void write_sum(const char *rest, size_t size, char sum[SUM + 1])
 
 char *journal_line_write(struct digest key, enum journal_line_state state, const json_t *record, size_t *size)
 {
-    char digits[DIGEST_DIGITS + 1], sum[SUM + 1];
-    char *json = xchecked(json_dumps(record, JSON_COMPACT));
-    digest_write(key, digits);
-    char *line = xasprintf("%*s %s %c %s\n", SUM, "", digits, (char)state, json);
+    char sum[SUM + 1], *json = xchecked(json_dumps(record, JSON_COMPACT));
+    char *line = xasprintf("%*s %s %c %s\n", SUM, "", digest_text(key).text, (char)state, json);
     *size = strlen(line);
     write_sum(line + KEY_AT, *size - KEY_AT - 1, sum);
     memcpy(line, sum, SUM);

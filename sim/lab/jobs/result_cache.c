@@ -18,9 +18,10 @@ char *result_cache_folder(void)
     return home && *home == '/' ? xasprintf("%s/.cache/touchstone", home) : NULL;
 }
 
-static char *folder_of(const char *folder, const char digits[])
+/* The folder of a point's file. */
+static char *folder_of(const char *folder, struct digest key)
 {
-    return xasprintf("%s/%.2s", folder, digits);
+    return xasprintf("%s/%.2s", folder, digest_text(key).text);
 }
 
 /* The file's bytes, malloc'd; NULL if the file cannot be read. */
@@ -48,10 +49,8 @@ static json_t *read_record(const char *text, size_t size, struct digest key)
 
 json_t *result_cache_find(const char *folder, struct digest key, const json_t *inputs, FILE *notes)
 {
-    char digits[DIGEST_DIGITS + 1];
     size_t size = 0;
-    digest_write(key, digits);
-    char *dir = folder_of(folder, digits), *path = xasprintf("%s/%s", dir, digits),
+    char *dir = folder_of(folder, key), *path = xasprintf("%s/%s", dir, digest_text(key).text),
          *text = read_all(path, &size);
     json_t *record = text ? read_record(text, size, key) : NULL;
     if (text && !record)
@@ -70,14 +69,13 @@ json_t *result_cache_find(const char *folder, struct digest key, const json_t *i
 
 bool result_cache_add(const char *folder, struct digest key, json_t *inputs, json_t *record, FILE *notes)
 {
-    char digits[DIGEST_DIGITS + 1], *error = NULL;
+    char *error = NULL;
     struct atomic_file d;
     size_t size;
-    digest_write(key, digits);
     json_t *both = json_copy(record);
     json_set(both, "inputs", json_incref(inputs));
-    char *line = journal_line_write(key, LINE_DONE, both, &size), *dir = folder_of(folder, digits);
-    char *path = xasprintf("%s/%s", dir, digits);
+    char *line = journal_line_write(key, LINE_DONE, both, &size), *dir = folder_of(folder, key);
+    char *path = xasprintf("%s/%s", dir, digest_text(key).text);
     if (!folder_make(dir)) {
         error = xasprintf("%s cannot be made: %m", dir);
     } else if (atomic_file_begin(&d, path, &error)) {

@@ -31,25 +31,7 @@ struct inputs {
     struct digest latest;
 };
 
-static json_t *digest_json(struct digest d)
-{
-    char text[DIGEST_DIGITS + 1];
-    digest_write(d, text);
-    return json_string(text);
-}
-
 /* --- what all points share ------------------------------------------------------------------------------ */
-
-static bool add_file(json_t *to, const char *key, const char *path, const char *what, char **error)
-{
-    struct digest d;
-    if (!digest_file(path, &d)) {
-        *error = xasprintf("%s%s cannot be read: %m", what, path);
-        return false;
-    }
-    json_set(to, key, digest_json(d));
-    return true;
-}
 
 /* The path of name relative to dir; malloc'd. */
 static char *from(const char *dir, const char *name)
@@ -62,16 +44,18 @@ static bool read_shared(struct inputs *in, char **error)
     json_t *files = json_object();
     bool ok = true;
     for (const char **name = in->spec->inputs; ok && *name; name++) {
-        char *path = from(in->paths.dir, *name), *what = xasprintf("%s: inputs: ", in->spec->path);
-        ok = add_file(files, *name, path, what, error);
+        char *path = from(in->paths.dir, *name), *why = NULL;
+        ok = digest_set_file(files, *name, path, &why);
+        if (!ok)
+            *error = xasprintf("%s: inputs: %s", in->spec->path, why);
         free(path);
-        free(what);
+        free(why);
     }
     json_set(in->shared, "inputs", files);
     json_set(in->shared, "libc", json_string(gnu_get_libc_version()));
     json_set(in->shared, "profile", json_boolean(in->spec->profile));
-    return ok && add_file(in->shared, "touchstone", in->paths.runner, "", error) &&
-           add_file(in->shared, "program", in->paths.program, "", error);
+    return ok && digest_set_file(in->shared, "touchstone", in->paths.runner, error) &&
+           digest_set_file(in->shared, "program", in->paths.program, error);
 }
 
 struct inputs *inputs_open(const struct spec *s, const struct inputs_paths *paths, char **error)
@@ -250,9 +234,7 @@ static struct checked *machine_of(struct inputs *in, const struct point *p, char
 /* The words as a JSON list. Frees the words. */
 static json_t *words_json(char **words)
 {
-    json_t *list = json_array();
-    for (char **word = words; word && *word; word++)
-        json_append(list, json_string(*word));
+    json_t *list = json_texts(words);
     words_free(words);
     return list;
 }
@@ -270,9 +252,7 @@ bool inputs_of(struct inputs *in, const struct point *p, struct digest *key, jso
     json_set(own, "machine", digest_json(machine->digest));
     json_set(own, "settings", words_json(settings));
     json_set(own, "arguments", words_json(inputs_arguments(in, p)));
-    char *text = xchecked(json_dumps(own, JSON_COMPACT | JSON_SORT_KEYS));
-    *key = digest_of(text, strlen(text));
-    free(text);
+    *key = digest_of_json(own);
     if (all)
         *all = own;
     else

@@ -19,14 +19,6 @@ struct times {
     size_t capacity;
 };
 
-static struct digest digest_of_values(const json_t *values)
-{
-    char *text = xchecked(json_dumps(values, JSON_COMPACT | JSON_SORT_KEYS));
-    struct digest d = digest_of(text, strlen(text));
-    free(text);
-    return d;
-}
-
 static struct time *time_of(const struct times *t, struct digest values)
 {
     size_t i = values.low & (t->capacity - 1);
@@ -42,7 +34,7 @@ static void note(void *arg, struct digest key, const json_t *record)
     (void)key;
     if (!values || !(seconds > 0))
         return;
-    struct digest d = digest_of_values(values);
+    struct digest d = digest_of_json(values);
     *time_of(arg, d) = (struct time){d, seconds};
 }
 
@@ -53,7 +45,7 @@ static double known(const struct study *s, const struct times *t, const struct w
     double seconds = 0;
     if (point_make(s->spec, w->number, &p, &error) == POINT_WANTED) {
         json_t *values = point_values(s->spec, &p);
-        seconds = time_of(t, digest_of_values(values))->seconds;
+        seconds = time_of(t, digest_of_json(values))->seconds;
         json_decref(values);
     }
     free(error);

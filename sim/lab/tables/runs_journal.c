@@ -16,29 +16,19 @@ struct runs_journal {
     FILE *notes;
 };
 
-static bool add_digest(json_t *to, const char *key, bool (*take)(const char *, struct digest *),
-                       const char *path, char **error)
-{
-    char text[DIGEST_DIGITS + 1];
-    struct digest d;
-    if (!take(path, &d)) {
-        *error = xasprintf("%s cannot be read: %m", path);
-        return false;
-    }
-    digest_write(d, text);
-    json_set(to, key, json_string(text));
-    return true;
-}
-
 static bool read_shared(struct runs_journal *k, const struct tables_options *o, const struct paper *paper,
                         char **error)
 {
     char *program = xasprintf("%s/%s", o->programs, paper->program);
     char *machine = strchr(paper->machine, '/') ? xstrdup(paper->machine)
                                                 : xasprintf("%s/machines/%s.cfg", o->home, paper->machine);
-    bool ok = add_digest(k->shared, "touchstone", digest_file, o->runner, error) &&
-              add_digest(k->shared, "program", digest_file, program, error) &&
-              add_digest(k->shared, "machine", inputs_machine_file, machine, error);
+    struct digest d;
+    bool ok = digest_set_file(k->shared, "touchstone", o->runner, error) &&
+              digest_set_file(k->shared, "program", program, error);
+    if (ok && !(ok = inputs_machine_file(machine, &d)))
+        *error = xasprintf("%s cannot be read: %m", machine);
+    if (ok)
+        json_set(k->shared, "machine", digest_json(d));
     free(program);
     free(machine);
     return ok;
@@ -68,16 +58,12 @@ void runs_journal_close(struct runs_journal *k)
 
 static struct digest key_of(const struct runs_journal *k, const struct run *run)
 {
-    json_t *inputs = json_copy(k->shared), *settings = json_array();
-    for (char *const *one = run->settings; *one; one++)
-        json_array_append_new(settings, json_string(*one));
+    json_t *inputs = json_copy(k->shared);
     json_set(inputs, "nodes", json_integer(run->nodes));
     json_set(inputs, "arguments", json_string(run->arguments));
     json_set(inputs, "extra", json_string_or_null(run->extra));
-    json_set(inputs, "settings", settings);
-    char *text = xchecked(json_dumps(inputs, JSON_COMPACT | JSON_SORT_KEYS));
-    struct digest key = digest_of(text, strlen(text));
-    free(text);
+    json_set(inputs, "settings", json_texts(run->settings));
+    struct digest key = digest_of_json(inputs);
     json_decref(inputs);
     return key;
 }
