@@ -350,6 +350,12 @@ static bool apply(struct cfg_reader *r, const char *const set[], struct cfg_mach
     return true;
 }
 
+bool cfg_is_path(const char *name)
+{
+    size_t n = strlen(name);
+    return strchr(name, '/') || (n >= 4 && strcmp(name + n - 4, ".cfg") == 0);
+}
+
 struct cfg_machine *cfg_load(const char *name, const char *dir, char **error)
 {
     return cfg_load_with(name, dir, NULL, error);
@@ -357,8 +363,7 @@ struct cfg_machine *cfg_load(const char *name, const char *dir, char **error)
 
 struct cfg_machine *cfg_load_with(const char *name, const char *dir, const char *const set[], char **error)
 {
-    size_t n = strlen(name);
-    bool is_path = strchr(name, '/') || (n >= 4 && strcmp(name + n - 4, ".cfg") == 0);
+    bool is_path = cfg_is_path(name);
     struct cfg_machine *m = xcalloc(1, sizeof *m);
     m->path = is_path ? xstrdup(name) : xasprintf("%s/%s.cfg", dir, name);
     if (!is_path && access(m->path, F_OK) != 0) {

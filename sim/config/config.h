@@ -136,7 +136,9 @@ struct cfg_machine {
 /* Writes the names of the machines in the folder of machine files, with `between` between them. Returns their
  * number. */
 int cfg_list_machines(const char *dir, const char *between, FILE *f);
-/* Reads a machine file. name: a path if it contains '/' or ends in .cfg, else NAME.cfg looked for in dir.
+/* Is what names a machine the path of its file? It is if it contains '/' or ends in .cfg. */
+bool cfg_is_path(const char *name);
+/* Reads a machine file. name: a path, or else NAME of NAME.cfg, which is looked for in dir.
  * Returns NULL with *error set to a malloc'd message for the user. */
 struct cfg_machine *cfg_load(const char *name, const char *dir, char **error);
 /* Loads a machine as cfg_load() does, with settings KEY=VALUE applied in this order (setting.h); set is ended

@@ -11,7 +11,7 @@
 struct run_again {
     struct rerun_command command;
     /* what command points to */
-    char **options, *nodes, *machine;
+    char **options, *machine;
     struct cfg_machine *cfg; /* the machine, with the command's settings */
 };
 

@@ -17,6 +17,7 @@
 #include "lab/commands/run_again.h"
 #include "lab/commands/standard_input.h"
 #include "lab/jobs/own_folder.h"
+#include "lab/jobs/words.h"
 #include "lab/sensitivity/sensitivity_report.h"
 #include "observe/json_file.h"
 
@@ -158,26 +159,13 @@ static const char *anywhere(const char *name, char path[PATH_MAX])
     return name && !strncmp(name, "..", 2) && realpath(name, path) ? path : name;
 }
 
-/* What the re-runs need beside the run's own options: they work in other folders. */
-static void add_folder(struct work *w)
-{
-    size_t count = 0;
-    while (w->parts.host_files && w->parts.host_files[count])
-        count++;
-    const char **list = xcalloc(count + 2, sizeof *list);
-    for (size_t i = 0; i < count; i++)
-        list[i] = w->parts.host_files[i];
-    list[count] = w->folder;
-    free(w->parts.host_files);
-    w->parts.host_files = list;
-}
-
 static bool prepare(struct work *w, const char *scratch, char **error)
 {
     w->json = xasprintf("%s/run.json", scratch);
-    add_folder(w);
     if (!run_again_of(&w->parts, w->folder, &w->places, &w->again, error))
         return false;
+    words_add_option(&w->again.options, "--host-files", xstrdup(w->folder)); /* they work in other folders */
+    w->again.command.options = w->again.options;
     FILE *progress = isatty(STDERR_FILENO) ? stderr : NULL;
     const struct cli_program *what = &w->parts.what;
     w->own_folders = own_folder_place(scratch, w->folder, what->program + !!what->program_count);

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "files/json_set.h"
+#include "files/left_over.h"
 #include "kernel/hostclock.h"
 #include "kernel/xalloc.h"
 #include "lab/explore/run_order.h"
@@ -132,7 +133,7 @@ static void end_task(struct doing *d, struct task *t)
     char *files[] = {t->json, t->record, t->replay};
     point_locks_release(d->place->locks, t->run->key);
     if (t->cfs)
-        own_folder_remove(t->cfs);
+        left_over_remove(t->cfs);
     for (int i = 0; i < 3; i++)
         if (files[i])
             unlink(files[i]);

@@ -110,9 +110,7 @@ static bool find(const char *name, char **path, char **error)
 static char *machine_of(const char *name)
 {
     char real[PATH_MAX];
-    size_t n = strlen(name);
-    bool is_path = strchr(name, '/') || (n >= 4 && !strcmp(name + n - 4, ".cfg"));
-    return xstrdup(is_path && realpath(name, real) ? real : name);
+    return xstrdup(cfg_is_path(name) && realpath(name, real) ? real : name);
 }
 
 struct subject *subject_open(const struct subject_options *o, char **error)
@@ -162,26 +160,19 @@ void subject_limit(struct subject *s, double max_virtual_s)
 
 static void add(char ***argv, const char *option, const char *value)
 {
-    if (!value)
-        return;
-    words_add(argv, xstrdup(option));
-    words_add(argv, xstrdup(value));
+    if (value)
+        words_add_option(argv, option, xstrdup(value));
 }
 
 static void add_machine_options(char ***argv, const struct subject *s, const char *machine, const char *host)
 {
     const struct subject_options *o = &s->options;
     add(argv, "-m", machine);
-    for (const char *const *set = o->set; set && *set; set++)
-        add(argv, "--set", *set);
-    if (o->nodes) {
-        words_add(argv, xstrdup("-n"));
-        words_add(argv, xasprintf("%u", o->nodes));
-    }
-    if (o->max_unreceived_mb) {
-        words_add(argv, xstrdup("--max-unreceived"));
-        words_add(argv, xasprintf("%u", o->max_unreceived_mb));
-    }
+    words_add_each(argv, "--set", o->set);
+    if (o->nodes)
+        words_add_option(argv, "-n", xasprintf("%u", o->nodes));
+    if (o->max_unreceived_mb)
+        words_add_option(argv, "--max-unreceived", xasprintf("%u", o->max_unreceived_mb));
     add(argv, "--host", host);
 }
 
@@ -195,16 +186,13 @@ static void add_program(char ***argv, const struct subject *s, const char *progr
 
 static void add_limit(char ***argv, const struct subject *s)
 {
-    words_add(argv, xstrdup("--max-virtual-time"));
-    words_add(argv, xasprintf("%.15g", s->options.max_virtual_s));
+    words_add_option(argv, "--max-virtual-time", xasprintf("%.15g", s->options.max_virtual_s));
 }
 
 char **subject_command(const struct subject *s, const char *timing, const struct run_files *f)
 {
     char **argv = NULL;
-    words_add(&argv, xstrdup(s->options.runner));
-    words_add(&argv, xstrdup("run"));
-    words_add(&argv, xstrdup("-q"));
+    words_add_each(&argv, NULL, (const char *const[]){s->options.runner, "run", "-q", NULL});
     add_machine_options(&argv, s, s->machine, s->host);
     add(&argv, "--json", f->json);
     add(&argv, "--record", f->record);
@@ -235,8 +223,7 @@ char *subject_command_text(const struct subject *s, const char *timing, const ch
 {
     char *text = xstrdup("touchstone run"), **argv = NULL;
     add_machine_options(&argv, s, s->options.machine, s->options.host);
-    for (const char *const *file = s->options.host_files; file && *file; file++)
-        add(&argv, "--host-files", *file);
+    words_add_each(&argv, "--host-files", s->options.host_files);
     add(&argv, "--timing", timing);
     add(&argv, "--replay", replay);
     if (limited)

@@ -2,13 +2,13 @@
 #include "lab/jobs/own_folder.h"
 #include <dirent.h>
 #include <errno.h>
-#include <fts.h>
 #include <limits.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "files/left_over.h"
 #include "kernel/xalloc.h"
 
 /* Has the file changed after that time? What is no file has not. */
@@ -76,7 +76,7 @@ static void remove_other(const struct plan *p, const char *name)
 {
     char *from = wanted(p, name), *to = xasprintf("%s/%s", p->path, name);
     if (strcmp(name, ".") && strcmp(name, "..") && !(from && leads_to(to, from)))
-        own_folder_remove(to);
+        left_over_remove(to);
     free(from);
     free(to);
 }
@@ -164,18 +164,4 @@ char *own_folder_place(const char *scratch, const char *like, char *const *words
     for (; *words; words++)
         link_above(place, like, name_in(*words));
     return place;
-}
-
-void own_folder_remove(const char *path)
-{
-    char *const roots[] = {(char *)(uintptr_t)path, NULL};
-    FTS *tree = fts_open(roots, FTS_PHYSICAL | FTS_NOCHDIR, NULL);
-    if (!tree)
-        return;
-    for (FTSENT *e; (e = fts_read(tree));)
-        if (e->fts_info == FTS_DP)
-            rmdir(e->fts_path);
-        else if (e->fts_info != FTS_D)
-            unlink(e->fts_path);
-    fts_close(tree);
 }

@@ -12,6 +12,4 @@ bool own_folder_make(const char *path, const char *like, const char *except, con
 /* A place for such folders in `scratch`; malloc'd, NULL with errno. From a folder there, names in the words
  * (NAME, or KEY=NAME) that begin with ../ lead where they lead from `like`. words is ended by NULL. */
 char *own_folder_place(const char *scratch, const char *like, char *const *words);
-/* Removes the folder with all that the run has left in it. */
-void own_folder_remove(const char *path);
 #endif

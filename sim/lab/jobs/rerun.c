@@ -2,26 +2,17 @@
 #include "lab/jobs/rerun.h"
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include "kernel/xalloc.h"
 #include "lab/jobs/outcome.h"
 #include "lab/jobs/own_folder.h"
 #include "lab/jobs/process_pool.h"
 #include "lab/jobs/progress.h"
+#include "lab/jobs/words.h"
 
-/* A child: its command line, and the texts that it owns. */
 struct child {
     char **argv;
     char *json, *cfs, *folder; /* folder NULL: the command's */
 };
-
-static size_t length(char *const *list)
-{
-    size_t count = 0;
-    while (list && list[count])
-        count++;
-    return count;
-}
 
 /* The copy of the folder for /cfs; malloc'd. NULL: the command names none. */
 static char *cfs_of(const struct rerun_place *p, size_t i)
@@ -33,27 +24,20 @@ static char *cfs_of(const struct rerun_place *p, size_t i)
 static struct child child_of(const struct rerun_place *p, const struct rerun *x, size_t i)
 {
     const struct rerun_command *c = &p->command;
-    const char *scratch = p->scratch;
-    size_t options = length(c->options), program = length(c->program), settings = length(x->set);
-    struct child child = {.argv = xcalloc(options + 2 * settings + program + 5, sizeof(char *))};
-    char **word = child.argv;
-    child.json = xasprintf("%s/%zu.json", scratch, i);
-    child.cfs = cfs_of(p, i);
-    child.folder = p->apart ? xasprintf("%s/%zu", scratch, i) : NULL;
-    for (size_t k = 0; k < options; k++)
-        *word++ = c->options[k];
-    for (size_t k = 0; k < settings; k++)
-        *word++ = (char *)(uintptr_t) "--set", *word++ = x->set[k];
-    *word++ = (char *)(uintptr_t) "--json", *word++ = child.json;
-    if (c->cfs)
-        *word++ = (char *)(uintptr_t) "--cfs", *word++ = child.cfs;
-    memcpy(word, c->program, program * sizeof *word);
+    struct child child = {.json = xasprintf("%s/%zu.json", p->scratch, i), .cfs = cfs_of(p, i)};
+    child.folder = p->apart ? xasprintf("%s/%zu", p->scratch, i) : NULL;
+    words_add_each(&child.argv, NULL, (const char *const *)c->options);
+    words_add_each(&child.argv, "--set", (const char *const *)x->set);
+    words_add_option(&child.argv, "--json", xstrdup(child.json));
+    if (child.cfs)
+        words_add_option(&child.argv, "--cfs", xstrdup(child.cfs));
+    words_add_each(&child.argv, NULL, (const char *const *)c->program);
     return child;
 }
 
 static void free_child(struct child *c)
 {
-    free(c->argv);
+    words_free(c->argv);
     free(c->json);
     free(c->cfs);
     free(c->folder);
@@ -99,15 +83,10 @@ bool rerun_copy_cfs(const struct rerun_place *p, const struct reruns *r, char **
     if (!p->command.cfs)
         return true;
     struct pool_job *jobs = xcalloc(r->count, sizeof *jobs);
-    char *(*argv)[6] = xcalloc(r->count, sizeof *argv);
+    char ***argv = xcalloc(r->count, sizeof *argv);
     for (size_t i = 0; i < r->count; i++) {
-        char *const words[6] = {(char *)(uintptr_t) "cp",
-                                (char *)(uintptr_t) "-a",
-                                (char *)(uintptr_t) "--",
-                                (char *)(uintptr_t)p->command.cfs,
-                                cfs_of(p, i),
-                                NULL};
-        memcpy(argv[i], words, sizeof words);
+        words_add_each(&argv[i], NULL, (const char *const[]){"cp", "-a", "--", p->command.cfs, NULL});
+        words_add(&argv[i], cfs_of(p, i));
         jobs[i] = (struct pool_job){.name = "cp", .argv = argv[i], .weight = 1, .dir = p->command.folder};
     }
     bool all = pool_run(jobs, r->count, 1, NULL).all_done;
@@ -115,7 +94,7 @@ bool rerun_copy_cfs(const struct rerun_place *p, const struct reruns *r, char **
         if (jobs[i].state != POOL_DONE && !*error)
             *error = xasprintf("%s, the files of /cfs, cannot be copied: %s", p->command.cfs,
                                jobs[i].error ? jobs[i].error : "stopped");
-        free(argv[i][4]);
+        words_free(argv[i]);
     }
     pool_clear(jobs, r->count);
     free(jobs);
@@ -175,12 +154,17 @@ bool rerun_some(const struct rerun_place *p, struct reruns *r, size_t first, siz
     return ok;
 }
 
+struct rerun *reruns_add(struct reruns *r, const char *key, char *what)
+{
+    r->list = xreallocarray(r->list, r->count + 1, sizeof *r->list);
+    r->list[r->count] = (struct rerun){.what = what, .key = xstrdup(key)};
+    return &r->list[r->count++];
+}
+
 void reruns_free(struct reruns *r)
 {
     for (size_t i = 0; i < r->count; i++) {
-        for (char **s = r->list[i].set; s && *s; s++)
-            free(*s);
-        free(r->list[i].set);
+        words_free(r->list[i].set);
         free(r->list[i].what);
         free(r->list[i].key);
         free(r->list[i].error);

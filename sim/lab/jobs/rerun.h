@@ -22,7 +22,7 @@ struct rerun_command {
 struct rerun {
     char *what; /* a clause: "if entering and leaving handlers took no time" */
     char *key;  /* for JSON: "interrupts" */
-    char **set; /* settings KEY=VALUE of the machine, ended by NULL */
+    char **set; /* settings KEY=VALUE of the machine: words.h */
     bool done;
     vtime end;   /* if done */
     char *error; /* if not: in one line */
@@ -44,6 +44,8 @@ struct rerun_place {
     const struct timespec *apart;
 };
 
+/* Adds one, without settings, and takes over `what`. It stays there until the next is added. */
+struct rerun *reruns_add(struct reruns *r, const char *key, char *what);
 /* Makes the copies of the folder for /cfs. False with *error malloc'd. */
 bool rerun_copy_cfs(const struct rerun_place *p, const struct reruns *r, char **error);
 /* Runs count of them, from the first on. False with *error malloc'd: stopped by a signal, or a folder cannot

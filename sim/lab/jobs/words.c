@@ -32,6 +32,21 @@ void words_add_all(char ***list, char *text)
     free(text);
 }
 
+void words_add_option(char ***list, const char *option, char *value)
+{
+    words_add(list, xstrdup(option));
+    words_add(list, value);
+}
+
+void words_add_each(char ***list, const char *option, const char *const *words)
+{
+    for (; words && *words; words++) {
+        if (option)
+            words_add(list, xstrdup(option));
+        words_add(list, xstrdup(*words));
+    }
+}
+
 void words_append(char **text, const char *format, ...)
 {
     va_list list;

@@ -7,6 +7,10 @@
  * word, or split at its blanks. */
 void words_add(char ***list, char *word);
 void words_add_all(char ***list, char *text);
+/* An option, which is copied, and its value, which is taken over. */
+void words_add_option(char ***list, const char *option, char *value);
+/* Copies of all words of a list, each behind the option, if one is given. */
+void words_add_each(char ***list, const char *option, const char *const *words);
 void words_free(char **list);
 
 /* Adds formatted text to the end of *text, which is malloc'd and may move. */

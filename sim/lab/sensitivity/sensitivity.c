@@ -34,29 +34,14 @@ static const struct unit *unit_of(const char *key)
 
 /* --- the re-runs ---------------------------------------------------------------------------------------- */
 
-static struct rerun *add_run(struct reruns *r, const char *what, char *setting)
-{
-    r->list = xreallocarray(r->list, r->count + 1, sizeof *r->list);
-    struct rerun *x = &r->list[r->count++];
-    *x = (struct rerun){.what = xstrdup(what), .key = xstrdup(what)};
-    if (setting)
-        words_add(&x->set, setting);
-    return x;
-}
-
 /* NULL, or why the machine cannot have that besides its settings. */
-static char *refusal(const struct cfg_machine *cfg, char *setting)
+static char *refusal(const struct cfg_machine *cfg, const char *setting)
 {
-    size_t count = 0;
-    char *error = NULL;
-    while (cfg->set && cfg->set[count])
-        count++;
-    const char **set = xcalloc(count + 2, sizeof *set);
-    for (size_t i = 0; i < count; i++)
-        set[i] = cfg->set[i];
-    set[count] = setting;
-    cfg_free(cfg_load_with(cfg->path, NULL, set, &error));
-    free(set);
+    char *error = NULL, **set = NULL;
+    words_add_each(&set, NULL, (const char *const *)cfg->set);
+    words_add(&set, xstrdup(setting));
+    cfg_free(cfg_load_with(cfg->path, NULL, (const char *const *)set, &error));
+    words_free(set);
     return error;
 }
 
@@ -88,7 +73,7 @@ static void add_number(struct sensitivity *s, const struct cfg_machine *cfg, con
     if (n.refused)
         free(setting);
     else
-        add_run(&s->runs, number->key, setting);
+        words_add(&reruns_add(&s->runs, number->key, xstrdup(number->key))->set, setting);
     s->list = xreallocarray(s->list, s->count + 1, sizeof *s->list);
     s->list[s->count++] = n;
 }
@@ -100,7 +85,7 @@ struct sensitivity *sensitivity_new(const struct cfg_machine *cfg, char **error)
         sensitivity_free(s);
         return NULL;
     }
-    add_run(&s->runs, "as it was", NULL);
+    reruns_add(&s->runs, "as it was", xstrdup("as it was"));
     for (size_t i = 0; i < s->numbers->count; i++) {
         const struct cfg_number *n = &s->numbers->list[i];
         if (n->is_number && strncmp(n->key, "cpu.", 4) != 0 && strtod(n->value, NULL) != 0)

@@ -91,25 +91,21 @@ void inputs_close(struct inputs *in)
 char **inputs_settings(const struct inputs *in, const struct point *p)
 {
     char **list = point_settings(in->spec, p);
-    for (const char *const *more = in->paths.set; more && *more; more++)
-        words_add(&list, xstrdup(*more));
+    words_add_each(&list, NULL, in->paths.set);
     return list;
 }
 
 char **inputs_arguments(const struct inputs *in, const struct point *p)
 {
     char **list = point_arguments(in->spec, p);
-    for (const char *const *more = in->paths.arguments; more && *more; more++)
-        words_add(&list, xstrdup(*more));
+    words_add_each(&list, NULL, in->paths.arguments);
     return list;
 }
 
 /* The machine's name as touchstone run takes it: a path is relative to the study's folder. */
 static char *machine_name(const struct inputs *in, const char *name)
 {
-    size_t n = strlen(name);
-    bool is_path = strchr(name, '/') || (n >= 4 && strcmp(name + n - 4, ".cfg") == 0);
-    return is_path ? from(in->paths.dir, name) : xstrdup(name);
+    return cfg_is_path(name) ? from(in->paths.dir, name) : xstrdup(name);
 }
 
 /* Turns an error about the machine or a setting into one that names their line in the study file. */

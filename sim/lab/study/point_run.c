@@ -7,45 +7,29 @@
 #include "lab/jobs/words.h"
 #include "lab/study/point_figures.h"
 
-static void add_option(char ***argv, const char *option, char *value)
-{
-    words_add(argv, xstrdup(option));
-    words_add(argv, value);
-}
-
-static void add_list(char ***argv, const char *option, char **list)
-{
-    for (char **word = list; word && *word; word++) {
-        if (option)
-            words_add(argv, xstrdup(option));
-        words_add(argv, xstrdup(*word));
-    }
-    words_free(list);
-}
-
 char **point_run_argv(const struct spec *spec, const struct inputs *inputs, const struct point *p,
                       const struct point_run_files *files)
 {
-    char **argv = NULL;
-    words_add(&argv, xstrdup(files->runner));
-    words_add(&argv, xstrdup("run"));
-    words_add(&argv, xstrdup("-q"));
-    add_option(&argv, "-m", xstrdup(point_machine(spec, p)));
-    add_option(&argv, "-n", xasprintf("%lu", point_nodes(spec, p)));
-    add_option(&argv, "--json", xstrdup(files->json));
+    char **argv = NULL, **set = inputs_settings(inputs, p), **arguments = inputs_arguments(inputs, p);
+    words_add_each(&argv, NULL, (const char *const[]){files->runner, "run", "-q", NULL});
+    words_add_option(&argv, "-m", xstrdup(point_machine(spec, p)));
+    words_add_option(&argv, "-n", xasprintf("%lu", point_nodes(spec, p)));
+    words_add_option(&argv, "--json", xstrdup(files->json));
     if (files->profile)
-        add_option(&argv, "--profile", xstrdup(files->profile));
+        words_add_option(&argv, "--profile", xstrdup(files->profile));
     if (spec->max_virtual_s > 0)
-        add_option(&argv, "--max-virtual-time", xasprintf("%.15g", spec->max_virtual_s));
+        words_add_option(&argv, "--max-virtual-time", xasprintf("%.15g", spec->max_virtual_s));
     if (spec->max_wall_s > 0)
-        add_option(&argv, "--max-wall-time", xasprintf("%.15g", spec->max_wall_s));
+        words_add_option(&argv, "--max-wall-time", xasprintf("%.15g", spec->max_wall_s));
     if (spec->max_unreceived_mb)
-        add_option(&argv, "--max-unreceived", xasprintf("%" PRIu64, spec->max_unreceived_mb));
-    add_list(&argv, "--set", inputs_settings(inputs, p));
+        words_add_option(&argv, "--max-unreceived", xasprintf("%" PRIu64, spec->max_unreceived_mb));
+    words_add_each(&argv, "--set", (const char *const *)set);
     for (const char **input = spec->inputs; *input; input++)
-        add_option(&argv, "--host-files", xasprintf("%s:ro", *input));
+        words_add_option(&argv, "--host-files", xasprintf("%s:ro", *input));
     words_add(&argv, xstrdup(files->program));
-    add_list(&argv, NULL, inputs_arguments(inputs, p));
+    words_add_each(&argv, NULL, (const char *const *)arguments);
+    words_free(set);
+    words_free(arguments);
     return argv;
 }
 

@@ -2,6 +2,7 @@
 #include "lab/tables/choices.h"
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
+#include "lab/jobs/words.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -66,7 +67,7 @@ static void change(struct results *v, const char *instead)
         free(run->name);
         run->name = name;
         if (machine)
-            run->settings[0] = xstrdup(instead + strlen(set));
+            words_add(&run->settings, xstrdup(instead + strlen(set)));
         else
             run->extra = instead;
     }

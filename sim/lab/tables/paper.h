@@ -6,8 +6,6 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { PAPER_MAX_ARGS = 16 };
-
 /* The paper's figures of a run; NAN where the paper gives none. */
 struct paper_figures {
     double total_s;

@@ -4,59 +4,37 @@
 #include "kernel/xalloc.h"
 #include "lab/jobs/process_pool.h"
 #include "lab/jobs/progress.h"
+#include "lab/jobs/words.h"
 #include "lab/tables/runs_journal.h"
 #include "lab/tables/tables.h"
 
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
-/* A run's command line: argv, and the texts that argv owns. */
 struct command {
-    char *argv[10 + 2 * RUN_MAX_SETTINGS + PAPER_MAX_ARGS + RUN_MAX_EXTRA + 1];
-    char *program, *nodes, *json, *arguments, *extra;
+    char **argv, *json;
 };
 
-/* Cuts text into at most `most` words. Returns how many. */
-static size_t add_words(char **argv, char *text, size_t most)
+static struct command command_of(const struct tables_options *o, const struct paper *paper,
+                                 const struct run *run, size_t i, const char *scratch)
 {
-    size_t n = 0;
-    char *save, *word = strtok_r(text, " ", &save);
-    for (; word && n < most; word = strtok_r(NULL, " ", &save))
-        argv[n++] = word;
-    return n;
-}
-
-static void build_command(struct command *c, const struct tables_options *o, const struct paper *paper,
-                          const struct run *run, size_t i, const char *scratch)
-{
-    c->program = xasprintf("%s/%s", o->programs, paper->program);
-    c->nodes = xasprintf("%u", run->nodes);
-    c->json = xasprintf("%s/%zu.json", scratch, i);
-    c->arguments = xstrdup(run->arguments);
-    c->extra = xstrdup(run->extra ? run->extra : "");
-    char *const head[] = {(char *)o->runner, "run",    "-q",   "-m", paper->machine, "-n",
-                          c->nodes,          "--json", c->json};
-    size_t n = sizeof head / sizeof *head;
-    memcpy(c->argv, head, sizeof head);
-    for (char *const *set = run->settings; *set; set++) {
-        c->argv[n++] = "--set";
-        c->argv[n++] = *set;
-    }
-    c->argv[n++] = c->program;
-    n += add_words(c->argv + n, c->arguments, PAPER_MAX_ARGS);
-    n += add_words(c->argv + n, c->extra, RUN_MAX_EXTRA);
-    c->argv[n] = NULL;
+    struct command c = {.json = xasprintf("%s/%zu.json", scratch, i)};
+    words_add_each(&c.argv, NULL, (const char *const[]){o->runner, "run", "-q", "-m", paper->machine, NULL});
+    words_add_option(&c.argv, "-n", xasprintf("%u", run->nodes));
+    words_add_option(&c.argv, "--json", xstrdup(c.json));
+    words_add_each(&c.argv, "--set", (const char *const *)run->settings);
+    words_add(&c.argv, xasprintf("%s/%s", o->programs, paper->program));
+    words_add_all(&c.argv, xstrdup(run->arguments));
+    if (run->extra)
+        words_add_all(&c.argv, xstrdup(run->extra));
+    return c;
 }
 
 static void free_command(struct command *c)
 {
     unlink(c->json);
-    free(c->program);
-    free(c->nodes);
+    words_free(c->argv);
     free(c->json);
-    free(c->arguments);
-    free(c->extra);
 }
 
 /* --- running -------------------------------------------------------------------------------------------- */
@@ -104,7 +82,7 @@ static bool do_in(const struct tables_options *o, const struct paper *paper, str
     d.jobs = xcalloc(count + 1, sizeof *d.jobs);
     d.which = xcalloc(count + 1, sizeof *d.which);
     for (size_t i = 0; i < count; i++) {
-        build_command(&d.commands[i], o, paper, &runs[i], i, scratch);
+        d.commands[i] = command_of(o, paper, &runs[i], i, scratch);
         if (journal && runs_journal_find(journal, &runs[i]))
             continue;
         d.jobs[d.count] = (struct pool_job){
@@ -150,7 +128,6 @@ void table_runs_clear(struct run runs[], size_t count)
     for (size_t i = 0; i < count; i++) {
         outcome_clear(&runs[i].outcome);
         free(runs[i].name);
-        for (char **set = runs[i].settings; *set; set++)
-            free(*set);
+        words_free(runs[i].settings);
     }
 }

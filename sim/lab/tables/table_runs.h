@@ -7,18 +7,16 @@
 #include "lab/jobs/outcome.h"
 #include "lab/tables/paper.h"
 
-enum { RUN_MAX_SETTINGS = 8, RUN_MAX_EXTRA = 8 };
-
 /* One run, which several rows may share. */
 struct run {
     unsigned nodes;
-    const char *arguments;                /* of its first row */
-    const char *extra;                    /* further arguments, separated by spaces; or NULL */
-    char *settings[RUN_MAX_SETTINGS + 1]; /* for --set, ended by NULL; malloc'd */
-    char *name;                           /* "tables 1, 2, 3; 8 nodes"; malloc'd */
-    unsigned turn;                        /* of its first table: earlier tables' runs start first */
-    double weight;                        /* its host time in any unit */
-    bool fitted;                          /* something was fitted to one of its rows */
+    const char *arguments; /* of its first row */
+    const char *extra;     /* further arguments, separated by spaces; or NULL */
+    char **settings;       /* for --set: words.h */
+    char *name;            /* "tables 1, 2, 3; 8 nodes"; malloc'd */
+    unsigned turn;         /* of its first table: earlier tables' runs start first */
+    double weight;         /* its host time in any unit */
+    bool fitted;           /* something was fitted to one of its rows */
     struct outcome outcome;
     bool ties;         /* its time is sensitive to ties (tie_sensitivity.h) */
     unsigned tie_runs; /* runs with small changes of the machine: their number, shortest and longest time */

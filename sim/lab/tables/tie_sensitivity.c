@@ -2,6 +2,7 @@
 #include "lab/tables/tie_sensitivity.h"
 #include "config/config.h"
 #include "kernel/xalloc.h"
+#include "lab/jobs/words.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -24,7 +25,6 @@ static const struct part {
     {"system.long_receive_ns", offsetof(struct cfg_machine, long_receive_ps)},
 };
 enum { PART_COUNT = sizeof PARTS / sizeof *PARTS };
-_Static_assert((int)PART_COUNT <= (int)RUN_MAX_SETTINGS, "a run has room for its settings");
 
 /* The run with the latency's k-th change. */
 static struct run variant(const struct run *run, const struct cfg_machine *m, unsigned k)
@@ -33,7 +33,7 @@ static struct run variant(const struct run *run, const struct cfg_machine *m, un
     struct run v = {.nodes = run->nodes, .arguments = run->arguments, .weight = run->weight};
     for (size_t i = 0; i < PART_COUNT; i++) {
         uint64_t ps = *(const uint64_t *)((const char *)m + PARTS[i].offset);
-        v.settings[i] = xasprintf("%s=%.6f", PARTS[i].key, (double)ps / 1e3 * (1 + by));
+        words_add(&v.settings, xasprintf("%s=%.6f", PARTS[i].key, (double)ps / 1e3 * (1 + by)));
     }
     v.name = xasprintf("%s; latency %+.1f %%", run->name, 100 * by);
     return v;

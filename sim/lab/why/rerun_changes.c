@@ -1,8 +1,8 @@
 /* rerun_changes.c - see rerun_changes.h. */
 #include "lab/why/rerun_changes.h"
-#include <stdlib.h>
 #include "files/folder_make.h"
 #include "kernel/xalloc.h"
+#include "lab/jobs/words.h"
 
 enum { MOST_KEYS = 12, MOST_CHANGES = 12 };
 static const double FASTEST_MHZ = 100000; /* the most that a machine file may say */
@@ -36,27 +36,9 @@ static const struct change DISKS = {"disks",
                                      "cfs.seek_ms=0", "cfs.rotation_ms=0", "cfs.disk_mb_per_s=10000",
                                      "cfs.open_ms=0", "cfs.pointer_ms=0"}};
 
-static struct rerun *add(struct reruns *r, const char *key, char *what)
-{
-    r->list = xreallocarray(r->list, r->count + 1, sizeof *r->list);
-    r->list[r->count] = (struct rerun){.what = what, .key = xstrdup(key), .set = xcalloc(1, sizeof(char *))};
-    return &r->list[r->count++];
-}
-
-static void set(struct rerun *x, char *setting)
-{
-    size_t count = 0;
-    while (x->set[count])
-        count++;
-    x->set = xreallocarray(x->set, count + 2, sizeof *x->set);
-    x->set[count] = setting, x->set[count + 1] = NULL;
-}
-
 static void add_change(struct reruns *r, const struct change *c)
 {
-    struct rerun *x = add(r, c->key, xstrdup(c->what));
-    for (const char *const *s = c->set; *s; s++)
-        set(x, xstrdup(*s));
+    words_add_each(&reruns_add(r, c->key, xstrdup(c->what))->set, NULL, c->set);
 }
 
 /* All processors so many times faster, or as fast as can be. */
@@ -65,23 +47,18 @@ static void add_clock(struct reruns *r, const struct cfg_machine *cfg, const cha
     double mhz = (double)cfg->clock_hz / 1e6, fast_mhz = (double)cfg->fast_clock_hz / 1e6;
     double most = FASTEST_MHZ / (cfg->fast_every && fast_mhz > mhz ? fast_mhz : mhz);
     times = times > 0 && times < most ? times : most;
-    struct rerun *x = add(r, key, xasprintf("if the processors computed %.6g times faster", times));
-    set(x, xasprintf("node.clock_mhz=%.17g", mhz * times));
+    struct rerun *x = reruns_add(r, key, xasprintf("if the processors computed %.6g times faster", times));
+    words_add(&x->set, xasprintf("node.clock_mhz=%.17g", mhz * times));
     if (cfg->fast_every)
-        set(x, xasprintf("node.fast_clock_mhz=%.17g", fast_mhz * times));
+        words_add(&x->set, xasprintf("node.fast_clock_mhz=%.17g", fast_mhz * times));
 }
 
 static void add_own(struct reruns *r, const char *const *own)
 {
     char *what = xstrdup("with");
-    for (const char *const *s = own; *s; s++) {
-        char *longer = xasprintf("%s%s %s", what, s == own ? "" : ",", *s);
-        free(what);
-        what = longer;
-    }
-    struct rerun *x = add(r, "set", what);
     for (const char *const *s = own; *s; s++)
-        set(x, xstrdup(*s));
+        words_append(&what, "%s %s", s == own ? "" : ",", *s);
+    words_add_each(&reruns_add(r, "set", what)->set, NULL, own);
 }
 
 static bool has_files(const struct trace *t)
@@ -97,7 +74,7 @@ static struct reruns changes(const struct trace *t, const struct rerun_options *
 {
     struct reruns r = {0};
     const struct cfg_machine *cfg = o->cfg;
-    add(&r, "same", xstrdup("as it was"));
+    reruns_add(&r, "same", xstrdup("as it was"));
     if (o->set && *o->set)
         add_own(&r, o->set);
     if (o->cpu > 0)
