@@ -162,6 +162,42 @@ static FILE *terminal(struct node *n, int fd)
     return f && f->class->terminal ? stream_standard(n, fd) : NULL;
 }
 
+/* --- names of standard streams --- */
+
+/* The descriptor that is the path's file; -1: the path is no such name. On this computer, these names lead to
+ * what the run was started with: a pipe, a terminal, a file. A node has its own standard streams. */
+static int named_descriptor(const char *path)
+{
+    static const char *const names[] = {"/dev/stdin", "/dev/stdout", "/dev/stderr",
+                                        "/dev/fd/0",  "/dev/fd/1",   "/dev/fd/2"};
+    for (int i = 0; i < 6; i++)
+        if (strcmp(path, names[i]) == 0)
+            return i % 3;
+    return -1;
+}
+
+/* The open file of such a name, once more; NULL: the path is no such name, or the descriptor is closed. */
+static struct node_file *named_file(struct node *n, const char *path)
+{
+    int fd = named_descriptor(path);
+    struct node_file *f = fd < 0 ? NULL : descriptor_file(n, fd);
+    if (f)
+        f->more++;
+    return f;
+}
+
+struct node_file *descriptor_open(struct node *n, const char *path, int flags, mode_t permissions)
+{
+    return named_descriptor(path) < 0 ? file_open(n, path, flags, permissions) : named_file(n, path);
+}
+
+static int stat_of(struct node *n, const char *path, struct stat *st)
+{
+    int fd = named_descriptor(path);
+    struct node_file *f = fd < 0 ? NULL : descriptor_file(n, fd);
+    return fd < 0 ? file_stat(n, path, st) : f ? file_fstat(f, st) : -1;
+}
+
 /* --- POSIX calls. As on the i860, a length is an unsigned number of 32 bits, an offset a signed one. --- */
 
 int node_open(const char *path, int flags, ...)
@@ -171,14 +207,15 @@ int node_open(const char *path, int flags, ...)
     va_start(ap, flags);
     mode_t permissions = flags & O_CREAT ? va_arg(ap, mode_t) : 0;
     va_end(ap);
-    return descriptor_new(n, file_open(n, path, flags, permissions), path);
+    return descriptor_new(n, descriptor_open(n, path, flags, permissions), path);
 }
 
 /* What GNU Fortran's library calls for OPEN. */
 int node_nx_fortran_open(const char *path, int flags, mode_t permissions)
 {
     struct node *n = node_self();
-    return descriptor_new(n, file_open_fortran(n, path, flags, permissions), path);
+    struct node_file *named = named_file(n, path);
+    return descriptor_new(n, named ? named : file_open_fortran(n, path, flags, permissions), path);
 }
 
 int node_creat(const char *path, mode_t permissions)
@@ -344,7 +381,7 @@ mode_t node_umask(mode_t mask)
 
 int node_stat(const char *path, struct stat *st)
 {
-    return file_stat(node_self(), path, st);
+    return stat_of(node_self(), path, st);
 }
 
 int node_lstat(const char *path, struct stat *st)
@@ -399,5 +436,5 @@ int node_access(const char *path, int how)
 {
     struct stat st;
     (void)how; /* whoever may see a file may use it */
-    return file_stat(node_self(), path, &st);
+    return stat_of(node_self(), path, &st);
 }

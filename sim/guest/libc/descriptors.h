@@ -35,6 +35,8 @@ struct descriptors {
 
 struct open_files *descriptors_open(struct node *n); /* makes the table if needed */
 
+/* As file_open(); also a standard stream of the node's by its name, such as /dev/stdout. */
+struct node_file *descriptor_open(struct node *n, const char *path, int flags, mode_t permissions);
 /* Gives f the lowest free number and returns it. If no number is free, closes f and returns -1 with errno
  * EMFILE. Returns -1 if f is NULL. */
 int descriptor_new(struct node *n, struct node_file *f, const char *path);

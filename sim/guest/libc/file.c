@@ -7,7 +7,6 @@
 #include <string.h>
 #include <unistd.h>
 #include "kernel/xalloc.h"
-#include "guest/libc/descriptors.h"
 #include "guest/libc/fence.h"
 #include "guest/libc/folder.h"
 #include "guest/libc/folder_names.h"
@@ -196,18 +195,6 @@ static bool is_on_host(struct node *n, const char **path)
     return true;
 }
 
-/* The descriptor that is the path's file; -1: the path is no such name. On this computer, these names lead to
- * what the run was started with: a pipe, a terminal, a file. A node has its own standard streams. */
-static int named_descriptor(const char *path)
-{
-    static const char *const names[] = {"/dev/stdin", "/dev/stdout", "/dev/stderr",
-                                        "/dev/fd/0",  "/dev/fd/1",   "/dev/fd/2"};
-    for (int i = 0; i < 6; i++)
-        if (strcmp(path, names[i]) == 0)
-            return i % 3;
-    return -1;
-}
-
 /* has_less: where the file may only be read, O_RDWR is an error that the caller has an answer to. */
 static struct node_file *open_on_host(struct node *n, const char *path, int flags, mode_t permissions,
                                       bool has_less)
@@ -224,13 +211,6 @@ static struct node_file *open_on_host(struct node *n, const char *path, int flag
 static struct node_file *open_file(struct node *n, const char *path, int flags, mode_t permissions,
                                    bool has_less)
 {
-    int fd = named_descriptor(path);
-    if (fd >= 0) {
-        struct node_file *f = descriptor_file(n, fd);
-        if (f)
-            f->more++;
-        return f;
-    }
     if (is_on_host(n, &path))
         return open_on_host(n, path, flags, permissions, has_less);
     bool masked = enter(n, "open");
@@ -366,11 +346,6 @@ void file_drop(struct node_file *f)
 
 int file_stat(struct node *n, const char *path, struct stat *st)
 {
-    int fd = named_descriptor(path);
-    if (fd >= 0) {
-        struct node_file *f = descriptor_file(n, fd);
-        return f ? file_fstat(f, st) : -1;
-    }
     if (is_on_host(n, &path))
         return host_answer(n, fence_stat(n->sys->fence, path, st));
     bool masked = enter(n, "stat");

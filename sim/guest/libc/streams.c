@@ -242,7 +242,7 @@ static int open_flags(const char *mode)
 static struct node_file *open_file(struct node *n, const char *path, const char *mode)
 {
     int flags = open_flags(mode);
-    struct node_file *f = flags < 0 ? NULL : file_open(n, path, flags, 0666);
+    struct node_file *f = flags < 0 ? NULL : descriptor_open(n, path, flags, 0666);
     if (f != NULL && *mode == 'a')
         file_seek(f, 0, SEEK_END);
     return f;

@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
-#include "lab/jobs/words.h"
 #include "lab/trace/trace_parts.h"
 #include "trace/trace_format.h"
 #include "trace/unpacker.h"
@@ -37,6 +36,13 @@ static char **words_of(const json_t *list)
         words[i] = xstrdup(word ? word : "");
     }
     return words;
+}
+
+static void free_words(char **words)
+{
+    for (char **word = words; word && *word; word++)
+        free(*word);
+    free(words);
 }
 
 static void read_command(struct trace *t, const json_t *list)
@@ -499,8 +505,8 @@ void trace_free(struct trace *t)
         return;
     for (int32_t i = 0; i < t->name_count; i++)
         free(t->names[i]);
-    words_free(t->argv);
-    words_free(t->layer);
+    free_words(t->argv);
+    free_words(t->layer);
     void *const parts[] = {t->path,    t->program,  t->machine, t->command,  t->folder,
                            t->version, t->names,    t->classes, t->nodes,    t->calls,
                            t->waits,   t->handlers, t->systems, t->messages, t->blocks};
