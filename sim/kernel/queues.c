@@ -41,20 +41,28 @@ void queues_free(struct queues *q)
 /* Where a number's queue is, or would be. */
 static struct queue *place_of(const struct queues *q, uint32_t number)
 {
-    uint32_t i = (number * UINT32_C(2654435769)) & (q->room - 1);
+    /* (The product's upper bits: the lower ones tell nothing of a number's upper ones.) */
+    uint32_t i = (number * UINT32_C(2654435769)) >> (__builtin_clz(q->room) + 1);
     while (q->table[i].room && q->table[i].number != number)
         i = (i + 1) & (q->room - 1);
     return &q->table[i];
 }
 
-static void grow_table(struct queues *q)
+/* Forgets the numbers whose queues are empty; the table grows if they are less than half. */
+static void renew_table(struct queues *q)
 {
     struct queues old = *q;
-    q->room *= 2;
+    q->used = 0;
+    for (uint32_t i = 0; i < old.room; i++)
+        q->used += old.table[i].count > 0;
+    if (2 * q->used > old.used)
+        q->room *= 2;
     q->table = xcalloc(q->room, sizeof *q->table);
     for (uint32_t i = 0; i < old.room; i++)
-        if (old.table[i].room)
+        if (old.table[i].count)
             *place_of(q, old.table[i].number) = old.table[i];
+        else
+            free(old.table[i].ring);
     free(old.table);
 }
 
@@ -78,10 +86,11 @@ static void grow_ring(struct queue *w)
 static struct queue *made(struct queues *q, uint32_t number)
 {
     struct queue *w = place_of(q, number);
-    if (!w->room && 4 * ++q->used > 3 * q->room) {
-        grow_table(q);
+    if (!w->room && 4 * (q->used + 1) > 3 * q->room) {
+        renew_table(q);
         w = place_of(q, number);
     }
+    q->used += !w->room;
     w->number = number;
     if (w->count == w->room)
         grow_ring(w);

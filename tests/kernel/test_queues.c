@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
+#include <malloc.h>
 #include "kernel/queues.h"
 
 enum { MOST = 400, NUMBERS = 40 };
@@ -82,8 +83,27 @@ static void they_are_as_in_a_plain_list(void **state)
     free(all);
 }
 
+/* One number stays; a million come and go. */
+static void numbers_that_are_gone_take_no_memory(void **state)
+{
+    struct queues *q = queues_new();
+    int item, staying;
+    (void)state;
+    queues_add(q, 7, 0, &staying);
+    size_t before = mallinfo2().uordblks;
+    for (uint32_t number = 8; number < 1000000; number++) {
+        queues_add(q, number, number, &item);
+        assert_ptr_equal(queues_at(q, number, 0), &item);
+        queues_remove(q, number, &item);
+    }
+    assert_in_range(mallinfo2().uordblks, 0, before + 4096);
+    assert_ptr_equal(queues_at(q, 7, 0), &staying);
+    queues_free(q);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(they_are_as_in_a_plain_list)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(they_are_as_in_a_plain_list),
+                                       cmocka_unit_test(numbers_that_are_gone_take_no_memory)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
