@@ -1,5 +1,6 @@
 /* whereabouts.c - see whereabouts.h. */
 #include "machine/whereabouts.h"
+#include <search.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -32,7 +33,7 @@ struct where {
 struct group {
     struct where where;
     vtime latest; /* where.since is the earliest */
-    uint32_t first, *nodes, count;
+    uint32_t *nodes, count;
 };
 
 /* Has the run been stopped, or asked, from outside, at a moment that differs from run to run? All other
@@ -141,45 +142,71 @@ static void print_node(FILE *f, const struct node *n, struct backtrace_lines *li
 
 /* --- groups --- */
 
-static bool is_same(const struct where *a, const struct where *b)
+static int compare_lines(const char *a, const char *b)
 {
-    bool lines = a->line && b->line ? strcmp(a->line, b->line) == 0 : a->line == b->line;
-    return lines && a->timed == b->timed && a->ended == b->ended && strcmp(a->text, b->text) == 0;
+    return a && b ? strcmp(a, b) : (a != NULL) - (b != NULL);
+}
+
+/* 0: the same state. */
+static int compare(const void *a, const void *b)
+{
+    const struct where *x = &((const struct group *)a)->where, *y = &((const struct group *)b)->where;
+    int order = strcmp(x->text, y->text);
+    order = order ? order : compare_lines(x->line, y->line);
+    order = order ? order : x->timed - y->timed;
+    return order ? order : x->ended - y->ended;
 }
 
 static void join(struct group *g, uint32_t node, const struct where *w)
 {
-    if (!g->count)
-        *g = (struct group){.where = *w, .latest = w->since};
     g->where.since = vt_min(g->where.since, w->since);
     g->latest = vt_max(g->latest, w->since);
     g->nodes = xreallocarray(g->nodes, g->count + 1, sizeof *g->nodes);
     g->nodes[g->count++] = node;
 }
 
+/* In the order of their first nodes. */
+struct groups {
+    void *tree; /* of tsearch */
+    struct group **list;
+    size_t count;
+};
+
+static struct group *group_of(struct groups *g, const struct where *w)
+{
+    const struct group key = {.where = *w};
+    struct group **found = tfind(&key, &g->tree, compare);
+    if (found)
+        return *found;
+    struct group *made = xcalloc(1, sizeof *made);
+    *made = (struct group){.where = *w, .latest = w->since};
+    xchecked(tsearch(made, &g->tree, compare));
+    g->list = xreallocarray(g->list, g->count + 1, sizeof *g->list);
+    return g->list[g->count++] = made;
+}
+
+static void free_group(void *group)
+{
+    free(((struct group *)group)->nodes);
+    free(group);
+}
+
 static void print_groups(FILE *f, const struct node_system *s, struct backtrace_lines *lines)
 {
-    struct group *groups = NULL;
-    size_t count = 0;
+    struct groups groups = {0};
     for (uint32_t i = 0; i < s->count; i++) {
         struct where w = where_is(s->nodes[i], lines);
-        size_t k = 0;
-        while (k < count && !is_same(&groups[k].where, &w))
-            k++;
-        if (k == count) {
-            groups = xreallocarray(groups, ++count, sizeof *groups);
-            groups[k] = (struct group){0};
-        }
-        join(&groups[k], i, &w);
+        join(group_of(&groups, &w), i, &w);
     }
-    for (size_t k = 0; k < count; k++) {
+    for (size_t k = 0; k < groups.count; k++) {
+        const struct group *g = groups.list[k];
         fprintf(f, "\n  ");
-        number_ranges_print_nodes(f, groups[k].nodes, groups[k].count);
+        number_ranges_print_nodes(f, g->nodes, g->count);
         fprintf(f, ": ");
-        print_where(f, &groups[k].where, groups[k].latest);
-        free(groups[k].nodes);
+        print_where(f, &g->where, g->latest);
     }
-    free(groups);
+    tdestroy(groups.tree, free_group);
+    free(groups.list);
 }
 
 static char *describe(const struct node_system *s, const char *what, uint32_t most_alone)
