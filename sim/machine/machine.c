@@ -2,6 +2,7 @@
 #include "machine/machine.h"
 #include <assert.h>
 #include <stdlib.h>
+#include <string.h>
 #include "cfs/cfs.h"
 #include "guest/backtrace.h"
 #include "guest/debugger.h"
@@ -144,8 +145,19 @@ static bool make_host(struct machine *m, char **error)
     return true;
 }
 
+/* NULL: it has not been opened. */
+static struct node_image *image_at(const struct machine *m, const char *path)
+{
+    size_t i = 0;
+    while (i < m->image_count && strcmp(node_image_path(m->images[i]), path))
+        i++;
+    return i < m->image_count ? m->images[i] : NULL;
+}
+
 static bool open_image(struct machine *m, const char *path, char **error)
 {
+    if (image_at(m, path))
+        return true;
     struct node_image *image = node_image_open(path, error);
     if (!image)
         return false;
@@ -155,13 +167,19 @@ static bool open_image(struct machine *m, const char *path, char **error)
     return true;
 }
 
+static const char *path_of(const struct machine_options *o, size_t program)
+{
+    return program ? o->more[program - 1].argv[0] : o->argv[0];
+}
+
 /* Opens all programs before the first node has one: what they call decides how nodes run. */
 static bool open_images(struct machine *m, char **error)
 {
     struct node_system *s = &m->sys;
-    for (size_t i = 0; i <= m->options.more_count; i++) {
-        if (!open_image(m, i ? m->options.more[i - 1].argv[0] : m->options.argv[0], error))
+    for (size_t i = 0; i <= m->options.more_count; i++)
+        if (!open_image(m, path_of(&m->options, i), error))
             return false;
+    for (size_t i = 0; i < m->image_count; i++) {
         s->flushes |= node_image_uses(m->images[i], "flushmsg") || node_image_uses(m->images[i], "_flushmsg");
         s->main_tells |= node_image_uses(m->images[i], "nxm_number");
     }
@@ -181,8 +199,9 @@ static bool load_program(struct machine *m, const struct named_program *p, uint3
                          char **error)
 {
     struct node_system *s = &m->sys;
+    const struct node_image *image = image_at(m, p->argv[0]);
     for (uint32_t i = begin; i < begin + p->nodes; i++) {
-        s->nodes[i] = node_new(s, i, m->images[program], p->argc, p->argv, m->options.envp, error);
+        s->nodes[i] = node_new(s, i, image, p->argc, p->argv, m->options.envp, error);
         if (!s->nodes[i])
             return false;
         s->nodes[i]->cold->program = program;
@@ -315,8 +334,8 @@ void machine_free(struct machine *m)
 uint32_t machine_program_sum(const struct machine *m)
 {
     uint32_t sum = 0;
-    for (size_t i = 0; i < m->image_count; i++) {
-        sum = sum * 31 + elf_loaded_sum(node_image_elf(m->images[i]));
+    for (size_t i = 0; i <= m->options.more_count; i++) {
+        sum = sum * 31 + elf_loaded_sum(node_image_elf(image_at(m, path_of(&m->options, i))));
         sum += i ? m->options.more[i - 1].nodes : 0;
     }
     return sum;

@@ -80,6 +80,10 @@ check "a program that knows of a host, wherever it is, may lack it" said '^    A
 run -q --profile p -n 1 master : -n 1 slave
 check "no profile of several programs" said 'profile is for one program'
 
+costs=$tests/../../machines/cpu
+"$BUILD/nxcc" -O2 --costs "$costs/i860xp-cache.cfg" -o other part.c
+run -n 1 master : -n 1 other : -n 1 other
+check "other costs of a program that is there twice: said once" test "$(grep -c 'was compiled with the costs of' err)" = 1
 run -q -n 1 --record plan master : -n 2 ./slave : -n 1 ./slave
 run -q -n 1 --replay plan master : -n 2 ./slave : -n 1 ./slave
 check "a schedule replayed" test ! -s err
