@@ -54,6 +54,7 @@ struct arguments {
     size_t layer_count;
     struct plan *plan; /* of timing.replay */
     char **host_words; /* the host program's arguments, with its name; NULL: no host */
+    char **environment; /* as programs get it */
 };
 
 static const struct argp_option OPTIONS[] = {
@@ -377,6 +378,19 @@ static void give_to_host(struct arguments *a, struct machine_options *o)
     o->argv = a->host_words;
 }
 
+/* A node's locale is "C", whatever the user's is: programs get the environment without that. */
+static char **environment_of_programs(void)
+{
+    size_t count = 0, kept = 0;
+    while (environ[count])
+        count++;
+    char **list = xcalloc(count + 1, sizeof *list);
+    for (char **e = environ; *e; e++)
+        if (strncmp(*e, "LC_", 3) && strncmp(*e, "LANG=", 5) && strncmp(*e, "LANGUAGE=", 9))
+            list[kept++] = *e;
+    return list;
+}
+
 static struct machine_options options_of(struct arguments *a, const struct cfg_machine *cfg)
 {
     const struct result_paths results = results_of(a);
@@ -387,7 +401,7 @@ static struct machine_options options_of(struct arguments *a, const struct cfg_m
                                 .more = a->what.more,
                                 .more_count = a->what.more_count,
                                 .host = a->what.host,
-                                .envp = environ,
+                                .envp = a->environment = environment_of_programs(),
                                 .max_virtual_s = a->what.max_virtual_s,
                                 .max_wall_s = a->what.max_wall_s,
                                 .max_unreceived = (size_t)a->what.max_unreceived_mb << 20,
@@ -583,6 +597,7 @@ int cli_run(int argc, char **argv)
         status = run(&a);
     cli_program_free(&a.what);
     free(a.host_words);
+    free(a.environment);
     free(a.host_files.list);
     free(a.traced_nodes);
     free_layer(&a);

@@ -8,7 +8,7 @@ g++ -O2 -std=c++17 -o here cplusplus.cc
 echo "a line" | LC_ALL=C ./here >wanted
 for options in -O2 "-O3 --asan" "--races --profile"; do
     check "nxcc $options" "$BUILD/nxcc" $options -std=c++17 -o program cplusplus.cc
-    echo "a line" | LC_ALL=C "$BUILD/touchstone" run -q -n 1 program >out 2>err
+    echo "a line" | env LC_ALL=de_DE.UTF-8 LANG=fr "$BUILD/touchstone" run -q -n 1 program >out 2>err
     status=$?
     check "$options: prints what it prints here" diff out wanted
 done

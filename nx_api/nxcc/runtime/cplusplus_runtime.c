@@ -174,21 +174,12 @@ NO_DEVICE(random_begins,
 NO_DEVICE(random_begins_by_text, "_ZNSt13random_device7_M_initEPKcm")
 NO_DEVICE(random_ends, "_ZNSt13random_device7_M_finiEv")
 
-/* --- locales: there is one --- */
-
-/* The user's own, LANG or an LC_ variable, is "C", too: programs ask for it as a matter of course. */
-static bool is_the_users(const char *name)
-{
-    for (char **e = environ; *e; e++)
-        if ((!strncmp(*e, "LC_", 3) || !strncmp(*e, "LANG=", 5)) && !strcmp(strchr(*e, '=') + 1, name))
-            return true;
-    return false;
-}
+/* --- locales: there is one, also as the user's own --- */
 
 locale_t __newlocale(int mask, const char *name, locale_t base);
 locale_t __newlocale(int mask, const char *name, locale_t base)
 {
-    if (name && *name && strcmp(name, "C") && strcmp(name, "POSIX") && !is_the_users(name))
+    if (name && *name && strcmp(name, "C") && strcmp(name, "POSIX"))
         return errno = ENOENT, (locale_t)0;
     return newlocale(mask, name, base);
 }
