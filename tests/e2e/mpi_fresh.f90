@@ -75,6 +75,7 @@ program fresh
     type(MPI_Comm) :: half
     type(MPI_Datatype) :: kind
     type(MPI_Op) :: op
+    procedure(MPI_User_function), pointer :: called => later
     type(MPI_Status) :: status
     type(MPI_Request) :: request
     integer(MPI_ADDRESS_KIND) :: at(3)
@@ -119,7 +120,7 @@ program fresh
     call MPI_Allreduce(MPI_IN_PLACE, token, 1, MPI_INTEGER, MPI_MAX, half)
     call expect("allreduce", token == (n - 1 - mod(n - 1 + rank, 2)) / 2)
     call MPI_Comm_free(half)
-    call MPI_Op_create(commute=.false., user_fn=later, op=op)
+    call MPI_Op_create(commute=.false., user_fn=called, op=op)
     step = rank + 7
     call MPI_Iallreduce(sendbuf=step, recvbuf=token, count=1, datatype=MPI_INTEGER, op=op, comm=MPI_COMM_WORLD, request=request)
     call MPI_Test(request, flag, MPI_STATUS_IGNORE)

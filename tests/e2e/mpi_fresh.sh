@@ -20,6 +20,14 @@ for call in MPI_Barrier PMPI_Barrier; do
     bin/mpif90 number.f90 >out 2>err
     check "$call: a number is no communicator" said 'Type mismatch in argument .comm.'
 done
+{
+    echo 'use mpi_f08'
+    for name in User {Comm,Type,Win}_{copy,delete}_attr {Comm,Win,File}_errhandler Grequest_{query,free,cancel}; do
+        echo "procedure(MPI_${name}_function), pointer :: $name"
+    done
+    echo end
+} >called.f90
+check "procedures that MPI calls have interfaces" bin/mpif90 -o called called.f90
 cat >profile.f90 <<'END'
 ! A profiling library's call, which stands before MPI's.
 subroutine MPI_Sendrecv(sent, n, kind, to, tag, got, room, as, from, select, comm, status, ierror)
