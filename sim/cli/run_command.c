@@ -52,8 +52,8 @@ struct arguments {
     struct cli_host_files host_files;
     char **layer; /* ended by NULL; NULL: none */
     size_t layer_count;
-    struct plan *plan; /* of timing.replay */
-    char **host_words; /* the host program's arguments, with its name; NULL: no host */
+    struct plan *plan;  /* of timing.replay */
+    char **host_words;  /* the host program's arguments, with its name; NULL: no host */
     char **environment; /* as programs get it */
 };
 

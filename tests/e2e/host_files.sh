@@ -30,6 +30,36 @@ check "a node's own standard streams, whatever the run's are" eval '[ "$("$BUILD
 allowed "temporary files" temporary /tmp/host_files_XXXXXX -
 run -q host_files r none - excl inside - nofollow round - r sub/none/x - mkdir inside - rmdir none -
 check "other errors are answers" bash -c '[ "$(grep -c fails out)" = 6 ]'
+cat >numbers.c <<'END'
+#include <stdio.h>
+#include <unistd.h>
+#include <sys/stat.h>
+static void number(const char *path)
+{
+    struct stat st;
+    printf("%d ", stat(path, &st) ? -1 : (int)st.st_dev * 100 + (int)st.st_ino);
+}
+int main(void)
+{
+    struct stat st;
+    FILE *f = fopen("fresh", "w");
+    fstat(fileno(f), &st);
+    printf("%d ", (int)st.st_ino);
+    number("inside");
+    number("round");
+    number("fresh");
+    unlink("fresh");
+    fclose(fopen("fresh", "w"));
+    number("fresh");
+    rename("fresh", "other");
+    number("other");
+    number("fresh");
+    return 0;
+}
+END
+"$BUILD/nxcc" -o numbers numbers.c
+run -q numbers
+check "numbers of files tell them apart, and are the run's own" grep -qx '1 102 102 101 103 103 -1 ' out
 refused "a new file in /proc" /proc/none host_files w /proc/none -
 
 refused "a new file elsewhere" "$outside/new" host_files w ../outside/new -

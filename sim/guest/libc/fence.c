@@ -14,9 +14,17 @@ struct entry {
     bool writable;
 };
 
+/* A file that a program has looked at. */
+struct seen {
+    dev_t device; /* this computer's numbers; */
+    ino_t number; /* 0: the file is gone */
+};
+
 struct fence {
     struct entry *entries;
     size_t count;
+    struct seen *seen;
+    size_t seen_count;
     char refused[2 * PATH_MAX];
     bool writes, readable; /* of the refusal */
     /* What is being looked up. It is here since it would take a good part of the system's stack. */
@@ -58,6 +66,7 @@ void fence_free(struct fence *f)
     for (size_t i = 0; i < f->count; i++)
         free(f->entries[i].path);
     free(f->entries);
+    free(f->seen);
     free(f);
 }
 
@@ -92,6 +101,52 @@ static int check(struct fence *f, const char *path, enum use use)
 struct fence_refusal fence_refusal(const struct fence *f)
 {
     return (struct fence_refusal){f->refused, f->writes, f->readable};
+}
+
+/* --- numbers: this computer's own are others in each run. A program sees them even if it never asks, in
+ * memory that it has not set, as GNU Fortran's library keeps those of open files. --- */
+
+static size_t place_of(const struct fence *f, const struct stat *st)
+{
+    size_t i = 0;
+    while (i < f->seen_count && (f->seen[i].number != st->st_ino || f->seen[i].device != st->st_dev))
+        i++;
+    return i;
+}
+
+/* Numbers files in the order in which programs first look at them. */
+static int numbered(struct fence *f, struct stat *st, int answer)
+{
+    if (answer)
+        return answer;
+    size_t i = place_of(f, st);
+    if (i == f->seen_count) {
+        f->seen = xreallocarray(f->seen, ++f->seen_count, sizeof *f->seen);
+        f->seen[i] = (struct seen){st->st_dev, st->st_ino};
+    }
+    st->st_dev = 1;
+    st->st_ino = i + 1;
+    return 0;
+}
+
+/* Where the file that has the name is among those seen. */
+static size_t place_of_named(const struct fence *f, int folder, const char *name)
+{
+    struct stat st;
+    return fstatat(folder, name, &st, AT_SYMLINK_NOFOLLOW) ? f->seen_count : place_of(f, &st);
+}
+
+/* A name was removed, unless the answer is an error: this computer may give the file's number to another. */
+static int forgotten(struct fence *f, size_t i, int answer)
+{
+    if (!answer && i < f->seen_count)
+        f->seen[i].number = 0;
+    return answer;
+}
+
+int fence_fstat(struct fence *f, int fd, struct stat *st)
+{
+    return f ? numbered(f, st, fstat(fd, st)) : fstat(fd, st);
 }
 
 /* --- looking up --- */
@@ -283,7 +338,7 @@ int fence_open_temporary(struct fence *f, const char *path, int flags)
 static int stat_found(struct fence *f, const char *path, struct stat *st, int flags)
 {
     int fd = look_up(f, path, flags, LOOKS);
-    return fd < 0 ? fd : closed(fd, fstat(fd, st));
+    return fd < 0 ? fd : closed(fd, fence_fstat(f, fd, st));
 }
 
 int fence_stat(struct fence *f, const char *path, struct stat *st)
@@ -330,7 +385,10 @@ static int remove_at(struct fence *f, const char *path, int flags)
 {
     struct place p;
     int answer = look_up_place(f, path, &p);
-    return answer ? answer : closed(p.folder, unlinkat(p.folder, p.name, flags));
+    if (answer)
+        return answer;
+    size_t i = place_of_named(f, p.folder, p.name);
+    return closed(p.folder, forgotten(f, i, unlinkat(p.folder, p.name, flags)));
 }
 
 int fence_unlink(struct fence *f, const char *path)
@@ -363,6 +421,7 @@ int fence_rename(struct fence *f, const char *from, const char *to)
     answer = look_up_place(f, to, &new);
     if (answer)
         return closed(old.folder, answer);
-    answer = renameat(old.folder, old.name, new.folder, new.name);
+    size_t i = place_of_named(f, new.folder, new.name);
+    answer = forgotten(f, i, renameat(old.folder, old.name, new.folder, new.name));
     return closed(old.folder, closed(new.folder, answer));
 }

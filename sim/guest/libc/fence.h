@@ -31,6 +31,8 @@ int fence_open(struct fence *f, const char *path, int flags, mode_t permissions)
 int fence_open_temporary(struct fence *f, const char *path, int flags);
 /* Whoever may not use a file may not look at it either, but for the folders on the way to an entry. */
 int fence_stat(struct fence *f, const char *path, struct stat *st);
+/* st_dev and st_ino tell files apart; they are not this computer's. */
+int fence_fstat(struct fence *f, int fd, struct stat *st);
 int fence_lstat(struct fence *f, const char *path, struct stat *st);
 ssize_t fence_readlink(struct fence *f, const char *path, char *buf, size_t size);
 int fence_chmod(struct fence *f, const char *path, mode_t permissions);

@@ -55,7 +55,7 @@ static int64_t host_seek(struct node_file *f, int64_t offset, int whence)
 
 static int host_stat(struct node_file *f, struct stat *st)
 {
-    return fstat(fd_of(f), st);
+    return fence_fstat(f->node->sys->fence, fd_of(f), st);
 }
 
 static int host_truncate(struct node_file *f, int64_t size)
