@@ -18,6 +18,11 @@ void *waitfor_grow(void *block, size_t count, size_t bytes)
     return p;
 }
 
+void *waitfor_room(void *array, size_t count, size_t bytes)
+{
+    return count & (count - 1) ? array : waitfor_grow(array, 2 * count + 1, bytes);
+}
+
 void *waitfor_alloc(size_t count, size_t bytes)
 {
     return memset(waitfor_grow(NULL, count, bytes), 0, count * bytes);
@@ -73,16 +78,9 @@ const char *waitfor_text(struct waitfor *w, const char *text)
         return NULL;
     if (t->count && strcmp(t->all[t->count - 1], text) == 0)
         return t->all[t->count - 1];
-    if ((t->count & (t->count - 1)) == 0)
-        t->all = waitfor_grow(t->all, 2 * t->count + 1, sizeof *t->all);
+    t->all = waitfor_room(t->all, t->count, sizeof *t->all);
     size_t bytes = strlen(text) + 1;
     return t->all[t->count++] = memcpy(waitfor_alloc(bytes, 1), text, bytes);
-}
-
-/* Room for one more of count elements: it grows when count is a power of two. */
-static void *with_room(void *array, size_t count, size_t bytes)
-{
-    return count & (count - 1) ? array : waitfor_grow(array, 2 * count + 1, bytes);
 }
 
 void waitfor_add_message(struct waitfor_node *n, const struct waitfor_message *m)
@@ -91,19 +89,19 @@ void waitfor_add_message(struct waitfor_node *n, const struct waitfor_message *m
         n->more_messages++;
         return;
     }
-    n->messages = with_room(n->messages, n->message_count, sizeof *m);
+    n->messages = waitfor_room(n->messages, n->message_count, sizeof *m);
     n->messages[n->message_count++] = *m;
 }
 
 void waitfor_add_receive(struct waitfor_node *n, const struct waitfor_receive *r)
 {
-    n->receives = with_room(n->receives, n->receive_count, sizeof *r);
+    n->receives = waitfor_room(n->receives, n->receive_count, sizeof *r);
     n->receives[n->receive_count++] = *r;
 }
 
 void waitfor_add_taken(struct waitfor_node *n, const struct waitfor_taken *t)
 {
-    n->taken = with_room(n->taken, n->taken_count, sizeof *t);
+    n->taken = waitfor_room(n->taken, n->taken_count, sizeof *t);
     n->taken[n->taken_count++] = *t;
 }
 
@@ -113,12 +111,12 @@ void waitfor_add_window(struct waitfor *w, long context, const char *name)
     for (size_t i = 0; i < w->window_count; i++)
         if (w->windows[i].context == context)
             return;
-    w->windows = with_room(w->windows, w->window_count, sizeof *w->windows);
+    w->windows = waitfor_room(w->windows, w->window_count, sizeof *w->windows);
     w->windows[w->window_count++] = (struct waitfor_window){context, waitfor_text(w, name)};
 }
 
 void waitfor_add_frame(struct waitfor *w, struct waitfor_node *n, const char *line)
 {
-    n->stack = with_room(n->stack, n->stack_count, sizeof *n->stack);
+    n->stack = waitfor_room(n->stack, n->stack_count, sizeof *n->stack);
     n->stack[n->stack_count++] = waitfor_text(w, line);
 }

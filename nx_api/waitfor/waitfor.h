@@ -169,7 +169,6 @@ struct waitfor {
     const char *clock;  /* "virtual time", or "time since the program began" */
     bool may_lack_host; /* nobody has received anything, and the program knows of a host, but none is there */
     /* By waitfor_analyse(). */
-    bool analysed;
     uint32_t *cycle; /* a shortest cycle: each waits for the next, the last for the first. NULL: none */
     uint32_t cycle_count;
     uint32_t circles; /* how many cycles are there in which each waits for one node */

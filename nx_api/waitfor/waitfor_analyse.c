@@ -7,5 +7,4 @@ void waitfor_analyse(struct waitfor *w)
     waitfor_find_cycle(w);
     waitfor_find_causes(w);
     waitfor_find_reasons(w);
-    w->analysed = true;
 }

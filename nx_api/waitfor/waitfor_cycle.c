@@ -89,8 +89,7 @@ static void pass(struct search *s, const struct waitfor *w, const char *operatio
 {
     if (has_passed(s, operation))
         return;
-    if ((s->passed_count & (s->passed_count - 1)) == 0)
-        s->passed = waitfor_grow(s->passed, 2 * s->passed_count + 1, sizeof *s->passed);
+    s->passed = waitfor_room(s->passed, s->passed_count, sizeof *s->passed);
     s->passed[s->passed_count++] = operation;
     for (uint32_t i = 0; i < w->count; i++)
         if (waitfor_is_missed(w, i, operation))

@@ -6,6 +6,8 @@
 /* As malloc's family, but abort() without memory. */
 void *waitfor_alloc(size_t count, size_t bytes);
 void *waitfor_grow(void *block, size_t count, size_t bytes);
+/* Room for one more of count elements: it grows when count is a power of two. */
+void *waitfor_room(void *array, size_t count, size_t bytes);
 /* A stream into memory: *text is there, and the caller's to free, when it has been closed. */
 FILE *waitfor_stream(char **text, size_t *size);
 

@@ -91,8 +91,7 @@ struct waitfor_set waitfor_choose(const struct waitfor *w, waitfor_choice *is, c
         if (in && !node)
             s.host = i;
         if (node && !before) {
-            if ((s.run_count & (s.run_count - 1)) == 0)
-                s.runs = waitfor_grow(s.runs, 2 * s.run_count + 1, sizeof *s.runs);
+            s.runs = waitfor_room(s.runs, s.run_count, sizeof *s.runs);
             s.runs[s.run_count++].first = i;
         }
         if (node)

@@ -336,7 +336,7 @@ static const char *missed_by(struct reasons *r, const char *operation)
     FILE *f = waitfor_stream(&text, &size);
     print_missed(f, r, operation);
     fclose(f);
-    r->missed = waitfor_grow(r->missed, r->missed_count + 1, sizeof *r->missed);
+    r->missed = waitfor_room(r->missed, r->missed_count, sizeof *r->missed);
     r->missed[r->missed_count] = (struct missed){operation, waitfor_text(r->w, text)};
     free(text);
     return r->missed[r->missed_count++].text;

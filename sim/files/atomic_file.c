@@ -191,6 +191,15 @@ bool atomic_file_end(struct atomic_file *f, char **error)
     return true;
 }
 
+bool atomic_file_write(const char *path, const void *bytes, size_t size, char **error)
+{
+    struct atomic_file f;
+    if (!atomic_file_begin(&f, path, error))
+        return false;
+    fwrite(bytes, 1, size, f.out);
+    return atomic_file_end(&f, error);
+}
+
 void atomic_file_drop(struct atomic_file *f)
 {
     close_all(f);

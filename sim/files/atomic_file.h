@@ -30,6 +30,8 @@ void atomic_file_replace(struct atomic_file *f);
 /* Closes the file and, if all was written, gives it its name. False with *error malloc'd: nothing was left
  * behind. */
 bool atomic_file_end(struct atomic_file *f, char **error);
+/* A whole file of these bytes. False with *error malloc'd. */
+bool atomic_file_write(const char *path, const void *bytes, size_t size, char **error);
 /* Gives the file up: removes what was written under the temporary name. */
 void atomic_file_drop(struct atomic_file *f);
 

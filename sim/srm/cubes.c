@@ -54,39 +54,33 @@ static char *check_name(struct cubes *c, const char *name)
     return NULL;
 }
 
-static void print_holders(const struct cubes *c, FILE *f)
+/* The text, which is taken over, and behind it who has the nodes. */
+static char *with_holders(const struct cubes *c, char *text)
 {
     char nodes[80];
     for (int i = 0; i < CUBES_MOST; i++)
-        if (c->list[i].used)
-            fprintf(f, "\n  %s of %s holds %s", c->list[i].name, c->list[i].owner,
-                    cubes_nodes(c, &c->list[i], nodes, sizeof nodes));
+        if (c->list[i].used) {
+            char *more = xasprintf("%s\n  %s of %s holds %s", text, c->list[i].name, c->list[i].owner,
+                                   cubes_nodes(c, &c->list[i], nodes, sizeof nodes));
+            free(text);
+            text = more;
+        }
+    return text;
 }
 
-/* An error that says who has the nodes. */
 static char *not_free(const struct cubes *c, const struct cube_type *t)
 {
-    char *s;
-    size_t size;
-    FILE *f = xchecked(open_memstream(&s, &size));
-    fprintf(f, "%u nodes are asked for; %u of %u are free, the largest %s of them %u:", t->nodes,
-            allocation_free(&c->allocation), allocation_all(&c->allocation),
-            c->allocation.cube ? "cube" : "rectangle", allocation_largest(&c->allocation));
-    print_holders(c, f);
-    fclose(f);
-    return s;
+    return with_holders(
+        c, xasprintf("%u nodes are asked for; %u of %u are free, the largest %s of them %u:", t->nodes,
+                     allocation_free(&c->allocation), allocation_all(&c->allocation),
+                     c->allocation.cube ? "cube" : "rectangle", allocation_largest(&c->allocation)));
 }
 
 static char *no_entry(const struct cubes *c)
 {
-    char *s;
-    size_t size;
-    FILE *f = xchecked(open_memstream(&s, &size));
-    fprintf(f,
-            "there are %d cubes, which is all that the machine allows; relcube gives one back:", CUBES_MOST);
-    print_holders(c, f);
-    fclose(f);
-    return s;
+    return with_holders(
+        c, xasprintf("there are %d cubes, which is all that the machine allows; relcube gives one back:",
+                     CUBES_MOST));
 }
 
 struct cube_entry *cubes_get(struct cubes *c, const char *name, const char *type, const char *owner,

@@ -94,10 +94,9 @@ static char *function_name(const json_t *function)
     const char *name = json_string_value(json_object_get(function, "function")),
                *file = json_string_value(json_object_get(function, "file")),
                *called = json_string_value(json_object_get(function, "called"));
-    const char *slash = file ? strrchr(file, '/') : NULL;
-    file = slash ? slash + 1 : file;
+    file = file ? basename(file) : "";
     return xasprintf("%s%s%s%s%s%s", called ? called : "", called ? " called by " : "", name ? name : "?",
-                     file && *file ? " (" : "", file ? file : "", file && *file ? ")" : "");
+                     *file ? " (" : "", file, *file ? ")" : "");
 }
 
 static json_t *functions_of(const json_t *profile, const char *class)

@@ -194,8 +194,7 @@ static int explore(const struct explore_options *o, const struct arguments *a)
 /* out/NAME.explore */
 static char *usual_folder(const struct arguments *a)
 {
-    const char *path = a->what.program_count ? a->what.program[0] : a->what.host, *slash = strrchr(path, '/');
-    return xasprintf("out/%s.explore", slash ? slash + 1 : path);
+    return xasprintf("out/%s.explore", basename(a->what.program_count ? a->what.program[0] : a->what.host));
 }
 
 /* How runs are compared, as a text: with other rules they are other results. */

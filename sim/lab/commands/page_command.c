@@ -1,5 +1,4 @@
 /* page_command.c - touchstone page: results as one HTML file. */
-#include <errno.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -116,11 +115,8 @@ static bool write_file(const struct page *p, const struct arguments *a, char **e
     struct atomic_file f;
     if (!atomic_file_begin(&f, a->out, error))
         return false;
-    if (page_write(p, a->title, f.out))
-        return atomic_file_end(&f, error);
-    *error = xasprintf("%s cannot be written: %s", a->out, strerror(errno));
-    atomic_file_drop(&f);
-    return false;
+    page_write(p, a->title, f.out);
+    return atomic_file_end(&f, error);
 }
 
 int cli_page(int argc, char **argv)

@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include "cli/say.h"
+#include "files/atomic_file.h"
 #include "files/folder_make.h"
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
@@ -105,9 +106,7 @@ static int write_figures(const struct work *w)
 
 static const char *name_of(const struct work *w)
 {
-    const char *path = w->parts.what.host ? w->parts.what.host : w->parts.what.program[0];
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
+    return basename(w->parts.what.host ? w->parts.what.host : w->parts.what.program[0]);
 }
 
 /* Returns the exit status. */
@@ -144,9 +143,7 @@ static bool keep_input(struct work *w, char **error)
     size_t bytes = 0;
     if (standard_input_read(&text, &bytes, error) && bytes) {
         w->input = xasprintf("%s/input", w->place.scratch);
-        FILE *f = fopen(w->input, "we");
-        if (!f || fwrite(text, 1, bytes, f) != bytes || fclose(f))
-            *error = xasprintf("%s cannot be written: %m", w->input);
+        atomic_file_write(w->input, text, bytes, error);
         w->place.command.in = w->input;
     }
     free(text);

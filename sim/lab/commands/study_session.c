@@ -71,7 +71,7 @@ void cli_session_end(struct cli_session *s, const struct study_options *study)
 
 void cli_default_folder(const char *file, const char *suffix, char dir[PATH_MAX])
 {
-    const char *slash = strrchr(file, '/'), *name = slash ? slash + 1 : file, *dot = strrchr(name, '.');
+    const char *name = basename(file), *dot = strrchr(name, '.');
     snprintf(dir, PATH_MAX, "out/%.*s%s", (int)(dot && dot > name ? (size_t)(dot - name) : strlen(name)),
              name, suffix);
 }

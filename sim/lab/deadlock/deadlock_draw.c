@@ -198,8 +198,7 @@ char *deadlock_draw_summary(const struct waitfor *w)
 
 static void draw_head(const struct canvas *c, const struct waitfor *w)
 {
-    const char *program = w->program ? w->program : "a program", *slash = strrchr(program, '/');
-    char *what = xasprintf("%s \u00b7 at %s of %s", slash ? slash + 1 : program,
+    char *what = xasprintf("%s \u00b7 at %s of %s", w->program ? basename(w->program) : "a program",
                            virtual_time_moment(w->now_ps).text, w->clock ? w->clock : "time");
     char *summary = deadlock_draw_summary(w);
     canvas_text(c, 24, 30, (struct text_style){17, INK, ANCHOR_LEFT, true}, "Deadlock: who waits for whom");

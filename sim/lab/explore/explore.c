@@ -207,17 +207,11 @@ static char *comment_of(const struct explore *x, const struct explained *e, cons
 
 static bool write_schedule(const struct explore *x, const struct explained *e, char **error)
 {
-    struct atomic_file f;
-    char *path = xasprintf("%s/%s.schedule", x->options.dir, e->name);
-    bool good = atomic_file_begin(&f, path, error);
-    if (good) {
-        char *comment = comment_of(x, e, path);
-        char *text = delays_text(&e->least.delays, x->search.base_nodes, comment);
-        fputs(text, f.out);
-        free(text);
-        free(comment);
-        good = atomic_file_end(&f, error);
-    }
+    char *path = xasprintf("%s/%s.schedule", x->options.dir, e->name), *comment = comment_of(x, e, path),
+         *text = delays_text(&e->least.delays, x->search.base_nodes, comment);
+    bool good = atomic_file_write(path, text, strlen(text), error);
+    free(text);
+    free(comment);
     free(path);
     return good;
 }

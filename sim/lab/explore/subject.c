@@ -139,15 +139,11 @@ void subject_close(struct subject *s)
 
 bool subject_keep_input(struct subject *s, const char *folder, char **error)
 {
-    struct atomic_file f;
     if (!s->options.input_bytes)
         return true;
     struct digest d = digest_of(s->options.input, s->options.input_bytes);
     s->input = xasprintf("%s/%s.input", folder, digest_text(d).text);
-    if (!atomic_file_begin(&f, s->input, error))
-        return false;
-    fwrite(s->options.input, 1, s->options.input_bytes, f.out);
-    return atomic_file_end(&f, error);
+    return atomic_file_write(s->input, s->options.input, s->options.input_bytes, error);
 }
 
 void subject_limit(struct subject *s, double max_virtual_s)

@@ -1,5 +1,6 @@
 /* fit_build.c - cost factors as parameters: builds the program for each of their values, by the study file's
  * command. Builds of equal bytes are the same point. */
+#include "files/atomic_file.h"
 #include "files/folder_make.h"
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
@@ -26,15 +27,6 @@ static char *factors_of(const struct fit *f, const double position[])
     }
     words_append(&list, "\n);\n");
     return list;
-}
-
-static bool write_file(const char *path, const char *text)
-{
-    FILE *out = fopen(path, "we");
-    if (!out)
-        return false;
-    bool written = fputs(text, out) >= 0;
-    return fclose(out) == 0 && written;
 }
 
 /* The command with the path in place of {name}, also of one in quotes: it is quoted where a shell needs it.
@@ -95,10 +87,7 @@ bool fit_build(struct fit *f, const double position[])
     char *factors = path_of(f, "factors.cfg");
     if (!f->program)
         f->program = path_of(f, "program");
-    bool good = write_file(factors, text);
-    if (!good)
-        f->error = xasprintf("%s: %m", factors);
-    good = good && command(f, factors);
+    bool good = atomic_file_write(factors, text, strlen(text), &f->error) && command(f, factors);
     free(factors);
     free(f->built);
     f->built = text;

@@ -76,7 +76,6 @@ static bool read_row(char *line, const json_t *names, const char *at, fit_row *r
 
 bool fit_table(const char *path, fit_row *row, void *arg, char **error)
 {
-    static const char mark[] = "\xef\xbb\xbf"; /* of UTF-8, which spreadsheets write */
     const char *why;
     int wrong;
     char *all = text_file_read(path, LARGEST, &why, &wrong), *rest = all, *line;
@@ -84,8 +83,6 @@ bool fit_table(const char *path, fit_row *row, void *arg, char **error)
     bool good = all;
     if (!all)
         *error = wrong ? xasprintf("%s:%d: %s", path, wrong, why) : xasprintf("%s: %s", path, why);
-    else if (strncmp(all, mark, strlen(mark)) == 0)
-        rest += strlen(mark);
     for (size_t number = 1; good && (line = strsep(&rest, "\n")); number++) {
         char *text = bare(line), *at = xasprintf("%s:%zu", path, number);
         if (!*text || *text == '#')

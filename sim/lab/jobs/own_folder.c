@@ -10,6 +10,7 @@
 #include <unistd.h>
 #include "files/left_over.h"
 #include "kernel/xalloc.h"
+#include "lab/jobs/words.h"
 
 /* Has the file changed after that time? What is no file has not. */
 static bool is_later(const char *path, const struct timespec *time)
@@ -122,11 +123,8 @@ static const char *name_in(const char *word)
 static char *above(const char *folder, size_t steps)
 {
     char *path = xstrdup(folder);
-    for (; steps; steps--) {
-        char *higher = xasprintf("%s/..", path);
-        free(path);
-        path = higher;
-    }
+    for (; steps; steps--)
+        words_append(&path, "/..");
     return path;
 }
 
@@ -153,9 +151,7 @@ char *own_folder_place(const char *scratch, const char *like, char *const *words
     for (char *const *w = words; *w; w++)
         steps = steps_up(name_in(*w)) > steps ? steps_up(name_in(*w)) : steps;
     for (; steps; steps--) {
-        char *lower = xasprintf("%s/.touchstone", place);
-        free(place);
-        place = lower;
+        words_append(&place, "/.touchstone");
         if (mkdir(place, 0700)) {
             free(place);
             return NULL;

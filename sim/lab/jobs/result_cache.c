@@ -70,21 +70,17 @@ json_t *result_cache_find(const char *folder, struct digest key, const json_t *i
 bool result_cache_add(const char *folder, struct digest key, json_t *inputs, json_t *record, FILE *notes)
 {
     char *error = NULL;
-    struct atomic_file d;
     size_t size;
     json_t *both = json_copy(record);
     json_set(both, "inputs", json_incref(inputs));
     char *line = journal_line_write(key, LINE_DONE, both, &size), *dir = folder_of(folder, key);
     char *path = xasprintf("%s/%s", dir, digest_text(key).text);
-    if (!folder_make(dir)) {
+    bool added = folder_make(dir);
+    if (!added)
         error = xasprintf("%s cannot be made: %m", dir);
-    } else if (atomic_file_begin(&d, path, &error)) {
-        fwrite(line, 1, size, d.out);
-        atomic_file_end(&d, &error);
-    }
-    if (error)
+    added = added && atomic_file_write(path, line, size, &error);
+    if (!added)
         fprintf(notes, "not added to the result cache: %s\n", error);
-    bool added = !error;
     free(error);
     free(path);
     free(dir);

@@ -36,8 +36,8 @@ static int32_t place_number(struct page_texts *p, int32_t stack)
     const struct trace_frame *f = trace_place(p->t, stack);
     if (!f || (!*f->function && !f->file))
         return TRACE_NONE;
-    const char *file = f->file && strrchr(f->file, '/') ? strrchr(f->file, '/') + 1 : f->file;
-    char *text = file && f->line ? xasprintf("%s, %s:%d", f->function, file, f->line) : xstrdup(f->function);
+    char *text = f->file && f->line ? xasprintf("%s, %s:%d", f->function, basename(f->file), f->line)
+                                    : xstrdup(f->function);
     int32_t number = number_of(p, text);
     free(text);
     return number;

@@ -252,9 +252,8 @@ static enum output_status write_meshes(const struct output_request *r, const str
     const char *name[OUTPUT_MOST_FILES];
     struct atomic_file file;
     for (size_t i = 0; i < r->count; i++) {
-        const char *slash = strrchr(r->file[i], '/');
         mesh[i] = &meshes[i];
-        name[i] = slash ? slash + 1 : r->file[i];
+        name[i] = basename(r->file[i]);
     }
     if (!atomic_file_begin(&file, r->path, error))
         return OUTPUT_NOT_WRITTEN;

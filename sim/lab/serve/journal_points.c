@@ -7,7 +7,9 @@
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
 #include "lab/jobs/journal_line.h"
+#include "lab/jobs/words.h"
 #include "lab/page/page_item.h"
+#include "lab/study/point_run.h"
 
 enum { PART = 1 << 20 };
 
@@ -21,18 +23,18 @@ void journal_points_free(struct journal_points *j)
     json_decref(j->points);
 }
 
-/* The settings of an added point as one text, "system.call_us=5 cpu.clock_mhz=50". */
-static json_t *set_of(const json_t *record)
+char *journal_points_settings(const json_t *set)
 {
     char *all = xstrdup("");
     size_t i;
     json_t *one;
-    json_array_foreach(json_object_get(record, "set"), i, one)
-    {
-        char *more = xasprintf("%s%s%s", all, i ? " " : "", json_string_value(one));
-        free(all);
-        all = more;
-    }
+    json_array_foreach(set, i, one) words_append(&all, "%s%s", i ? " " : "", json_string_value(one));
+    return all;
+}
+
+static json_t *set_of(const json_t *record)
+{
+    char *all = journal_points_settings(json_object_get(record, "set"));
     json_t *text = json_string(all);
     free(all);
     return text;
@@ -40,17 +42,7 @@ static json_t *set_of(const json_t *record)
 
 static json_t *flat_of(const json_t *record)
 {
-    json_t *flat = json_deep_copy(json_object_get(record, "point")), *value;
-    json_t *failure = json_object_get(record, "failure"), *figures = json_object_get(record, "figures");
-    json_set(flat, "failure", failure ? json_incref(failure) : json_null());
-    if ((value = json_object_get(record, "wall_time_s")))
-        json_set(flat, "wall_time_s", json_incref(value));
-    if (figures)
-        json_object_update_missing(flat, figures);
-    value = json_object_get(flat, "total_s");
-    value = value ? value : json_object_get(flat, "virtual_time_s");
-    if (json_is_number(value) && !json_object_get(flat, "time_s"))
-        json_set(flat, "time_s", json_incref(value));
+    json_t *flat = point_flat(json_deep_copy(json_object_get(record, "point")), record);
     if (json_object_get(record, "set"))
         json_set(flat, "set", set_of(record));
     return page_json_within_53_bits(flat);

@@ -17,4 +17,6 @@ void journal_points_free(struct journal_points *j);
 /* Reads what is new in the file, which may have shrunk; counts lines behind the byte `from` in since. fd -1:
  * there is no file. */
 void journal_points_read(struct journal_points *j, int fd, uint64_t from);
+/* The settings of an added point, a list, as one text: "system.call_us=5 cpu.clock_mhz=50". malloc'd. */
+char *journal_points_settings(const json_t *set);
 #endif

@@ -207,15 +207,9 @@ static bool is_point(const json_t *flat, const json_t *values, const char *set)
 bool live_study_has(const struct live_study *s, const json_t *values, const json_t *set)
 {
     json_t *data = live_study_data(s), *point;
-    char *text = xstrdup("");
+    char *text = journal_points_settings(set);
     size_t i;
     bool has = false;
-    json_array_foreach(set, i, point)
-    {
-        char *more = xasprintf("%s%s%s", text, i ? " " : "", json_string_value(point));
-        free(text);
-        text = more;
-    }
     json_array_foreach(json_object_get(data, "points"), i, point) has |= is_point(point, values, text);
     free(text);
     json_decref(data);

@@ -1,6 +1,7 @@
 /* point_run.c - see point_run.h. */
 #include "lab/study/point_run.h"
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
@@ -66,4 +67,26 @@ json_t *point_record(const struct outcome *o, const char *profile, double wall_t
 json_t *point_record_of_failure(const char *error, double wall_time_s)
 {
     return json_pack("{s:f, s:o}", "wall_time_s", wall_time_s, "failure", json_text(error));
+}
+
+/* The total time that the program printed, or else the run's virtual time. */
+static double time_of(const json_t *figures)
+{
+    double total = figure_of(figures, "total_s");
+    return isnan(total) ? figure_of(figures, "virtual_time_s") : total;
+}
+
+json_t *point_flat(json_t *values, const json_t *record)
+{
+    json_t *failure = json_object_get(record, "failure"), *figures = json_object_get(record, "figures"),
+           *wall = json_object_get(record, "wall_time_s");
+    json_set(values, "failure", failure ? json_incref(failure) : json_null());
+    if (wall)
+        json_set(values, "wall_time_s", json_incref(wall));
+    if (figures && json_object_update_missing(values, figures) != 0)
+        xexhausted();
+    double time = time_of(values);
+    if (!isnan(time) && !json_object_get(values, "time_s"))
+        json_set(values, "time_s", json_real(time));
+    return values;
 }

@@ -19,4 +19,7 @@ char **point_run_environment(const char *scratch);
  * { wall_time_s, failure }. profile: the file, or NULL. The caller owns it. */
 json_t *point_record(const struct outcome *o, const char *profile, double wall_time_s);
 json_t *point_record_of_failure(const char *error, double wall_time_s);
+/* The point in one object, of its values, which it takes over, and its record: { AXIS..., failure,
+ * wall_time_s, FIGURE..., time_s }, without speeds and profile. */
+json_t *point_flat(json_t *values, const json_t *record);
 #endif

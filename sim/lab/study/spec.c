@@ -1,6 +1,7 @@
 /* spec.c - see spec.h. */
 #include "lab/study/spec.h"
 #include "kernel/xalloc.h"
+#include "lab/jobs/words.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -30,11 +31,8 @@ const struct spec_axis *spec_axis(const struct spec *s, const char *name)
 char *spec_no_axis(const struct spec *s, const char *name)
 {
     char *text = xasprintf("there is no axis %s; there are: ", name);
-    for (size_t i = 0; i < s->axis_count; i++) {
-        char *more = xasprintf("%s%s%s", text, i ? ", " : "", s->axes[i].name);
-        free(text);
-        text = more;
-    }
+    for (size_t i = 0; i < s->axis_count; i++)
+        words_append(&text, "%s%s", i ? ", " : "", s->axes[i].name);
     return text;
 }
 

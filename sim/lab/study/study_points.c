@@ -1,34 +1,19 @@
 /* study_points.c - reads the points' results from the journal, one at a time; see study.h, study_points.h. */
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
-#include "lab/jobs/outcome.h"
+#include "lab/study/point_run.h"
 #include "lab/study/study_points.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* --- a point -------------------------------------------------------------------------------------------- */
 
-/* The total time that the program printed, or else the run's virtual time. */
-static double time_of(const json_t *figures)
-{
-    double total = figure_of(figures, "total_s");
-    return isnan(total) ? figure_of(figures, "virtual_time_s") : total;
-}
-
 /* The point as study_each() shows it, without its speeds. An axis hides a figure of the same name. */
 static json_t *flat_point(const struct study *s, const struct point *p, const json_t *record)
 {
-    json_t *flat = point_values(s->spec, p), *failure = json_object_get(record, "failure"),
-           *figures = json_object_get(record, "figures"), *profile = json_object_get(record, "profile");
-    json_set(flat, "failure", failure ? json_incref(failure) : json_null());
-    json_set(flat, "wall_time_s", json_incref(json_object_get(record, "wall_time_s")));
-    if (figures && json_object_update_missing(flat, figures) != 0)
-        xexhausted();
-    double time = time_of(flat);
-    if (!isnan(time) && !json_object_get(flat, "time_s"))
-        json_set(flat, "time_s", json_real(time));
+    json_t *flat = point_flat(point_values(s->spec, p), record),
+           *profile = json_object_get(record, "profile");
     if (profile)
         json_set(flat, "profile", json_incref(profile));
     return flat;

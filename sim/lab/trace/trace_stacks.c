@@ -147,11 +147,10 @@ static struct trace_frame frame_of(const struct layer_place *at)
     frame.library = !strncmp(at->function, "nxc_", 4); /* from a program that computes to the simulator */
     if (!at->path)
         return frame;
-    const char *slash = strrchr(at->path, '/');
     frame.library = frame.library || layer_is_library(at->path);
     if (frame.library)
         frame.function = layer_called(at->function);
-    frame.file = slash ? slash + 1 : at->path;
+    frame.file = basename(at->path);
     return frame;
 }
 
