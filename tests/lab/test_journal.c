@@ -297,6 +297,7 @@ static void a_point_is_claimed_once(void **state)
     (void)state;
     struct point_locks *c = point_locks_enter(".", "job 7", &error);
     assert_true(point_locks_take(c, key_of(1)));
+    assert_false(point_locks_take(c, key_of(1)));
     assert_int_equal(child_claims("job 7"), 0);
     point_locks_release(c, key_of(1));
     assert_int_equal(child_claims("job 7"), 1);

@@ -31,18 +31,12 @@ char *chart_label(const json_t *value)
                                   : xasprintf("%.12g", json_number_value(value));
 }
 
-static void *room(size_t count, size_t size)
-{
-    void *p = xcalloc(count + 1, size);
-    return p;
-}
-
 static void take_axis(const json_t *values, const char *name, struct chart_axis *a)
 {
     size_t count = *name ? json_array_size(values) : 1;
     *a = (struct chart_axis){.name = name, .count = count, .numeric = *name, .index = json_object()};
-    a->label = room(count, sizeof *a->label);
-    a->position = room(count, sizeof *a->position);
+    a->label = xcalloc(count, sizeof *a->label);
+    a->position = xcalloc(count, sizeof *a->position);
     for (size_t i = 0; i < count; i++) {
         const json_t *value = json_array_get(values, i);
         a->label[i] = *name ? chart_label(value) : xstrdup("");
@@ -234,8 +228,8 @@ bool chart_data_take(const struct record_points *points, const struct picture *p
     if (!take_axes(points, p, d, error))
         return false;
     size_t cells = d->panels.count * d->lines.count * d->x.count;
-    struct taker t = {p, d, room(cells, sizeof *t.least), fix_rest(points, p, d)};
-    d->drawn = room(cells, sizeof *d->drawn);
+    struct taker t = {p, d, xcalloc(cells, sizeof *t.least), fix_rest(points, p, d)};
+    d->drawn = xcalloc(cells, sizeof *d->drawn);
     for (size_t i = 0; i < cells; i++)
         t.least[i] = d->drawn[i] = NAN;
     bool ok = points->each(points->arg, take_point, &t, error);

@@ -308,9 +308,7 @@ static int make(const struct output_request *r)
         free(file[i].node);
     if (status == OUTPUT_DONE)
         return 0;
-    cli_say_error("render", "%s", error);
-    free(error);
-    return status == OUTPUT_BAD_INPUT ? CLI_EXIT_INPUT : 1;
+    return cli_failed("render", error, status == OUTPUT_BAD_INPUT ? CLI_EXIT_INPUT : 1);
 }
 
 int cli_render(int argc, char **argv)

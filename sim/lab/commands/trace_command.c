@@ -130,11 +130,8 @@ int cli_trace_info(int argc, char **argv)
     cli_parse(&ARGP, "touchstone trace info", 0, argc, argv, &a);
     struct trace *t = trace_load(a.path, &a.select, &error);
     free((bool *)(uintptr_t)a.select.nodes);
-    if (!t) {
-        cli_say_error("trace info", "%s", error);
-        free(error);
-        return CLI_EXIT_INPUT;
-    }
+    if (!t)
+        return cli_failed("trace info", error, CLI_EXIT_INPUT);
     int status = write_info(t, a.json);
     trace_free(t);
     return status;

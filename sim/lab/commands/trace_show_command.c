@@ -281,9 +281,8 @@ static void stage(const char *doing, const char *what)
         fprintf(stderr, "\r\033[K%s%s", doing ? doing : "", doing ? what : "");
 }
 
-static void film_stage(void *ctx, uint32_t done, uint32_t of)
+static void film_stage(uint32_t done, uint32_t of)
 {
-    (void)ctx;
     char *text = xasprintf("picture %u of %u", done, of);
     stage("drawing film: ", text);
     free(text);
@@ -293,7 +292,7 @@ static bool write_display(const struct arguments *a, const struct display *d, co
 {
     struct drawing drawing = {d, a};
     if (d->film)
-        return channel_film_write(&a->run.show, path, film_stage, NULL, error);
+        return channel_film_write(&a->run.show, path, film_stage, error);
     enum picture_kind kind = picture_kind_of(path);
     return picture_write(path,
                          kind     ? kind

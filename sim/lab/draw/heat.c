@@ -76,14 +76,10 @@ void heat_grid(const struct canvas *c, struct plot p, const struct heat *h, uint
     free(levels);
 }
 
-char *heat_text(double amount, enum heat_unit unit)
-{
-    return unit == HEAT_PERCENT ? axis_percent_text(amount) : axis_number_text(amount, unit == HEAT_BYTES);
-}
-
 char *heat_label(const struct heat *h, double amount, enum heat_unit unit)
 {
-    char *number = heat_text(amount, unit);
+    char *number =
+        unit == HEAT_PERCENT ? axis_percent_text(amount) : axis_number_text(amount, unit == HEAT_BYTES);
     if (!h->given || amount < h->most)
         return number;
     char *label = xasprintf("%s or more", number);

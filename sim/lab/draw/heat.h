@@ -32,8 +32,6 @@ enum heat_unit { HEAT_NUMBER, HEAT_BYTES, HEAT_PERCENT };
 /* The bar, upright, 14 points wide, with its scale at the right and its title above. */
 void heat_bar(const struct canvas *c, struct plot p, const struct heat *h, enum heat_unit unit,
               const char *title);
-/* "12 %", "3.5 kB", "17": malloc'd. */
-char *heat_text(double amount, enum heat_unit unit);
-/* An amount beside the bar: as heat_text(), or "17 or more" at the end of a given scale. malloc'd. */
+/* An amount beside the bar: "12 %", "3.5 kB", "17"; or "17 or more" at the end of a given scale. malloc'd. */
 char *heat_label(const struct heat *h, double amount, enum heat_unit unit);
 #endif

@@ -25,7 +25,7 @@ struct doing {
     struct batch_place *place;
     struct planned_run *runs;
     size_t count, next, running;
-    bool others; /* in this pass, some runs were locked by other processes */
+    bool others; /* in this pass, some runs were locked */
     struct task *tasks;
     struct progress progress;
     char **env, *error;
@@ -258,20 +258,6 @@ static void ended(void *arg, struct pool_job *job)
 
 /* --- which is next -------------------------------------------------------------------------------------- */
 
-static bool has_result(const struct doing *d, const struct planned_run *r)
-{
-    enum journal_line_state state;
-    return journal_find(d->place->journal, r->key, &state);
-}
-
-static bool is_running(const struct doing *d, struct digest key)
-{
-    for (unsigned i = 0; i < d->place->at_once; i++)
-        if (d->tasks[i].run && digest_equal(d->tasks[i].run->key, key))
-            return true;
-    return false;
-}
-
 static bool is_late(const struct doing *d)
 {
     return d->place->deadline_s > 0 && hostclock_s() > d->place->deadline_s;
@@ -295,14 +281,14 @@ static enum pool_next next(void *arg, struct pool_job **job)
     struct doing *d = arg;
     while (!d->error && !is_late(d) && d->next < d->count) {
         struct planned_run *r = &d->runs[d->next++];
-        if (has_result(d, r))
+        if (journal_find(d->place->journal, r->key, NULL))
             continue;
-        if (is_running(d, r->key) || !point_locks_take(d->place->locks, r->key)) {
+        if (!point_locks_take(d->place->locks, r->key)) {
             d->others = true;
             continue;
         }
         journal_refresh(d->place->journal); /* the lock's last owner may have run it */
-        if (!has_result(d, r))
+        if (!journal_find(d->place->journal, r->key, NULL))
             return begin(d, r, job);
         point_locks_release(d->place->locks, r->key);
     }
@@ -339,7 +325,7 @@ static size_t results_of(const struct doing *d)
 {
     size_t with = 0;
     for (size_t i = 0; i < d->count; i++)
-        with += has_result(d, &d->runs[i]);
+        with += journal_find(d->place->journal, d->runs[i].key, NULL);
     return with;
 }
 

@@ -111,7 +111,7 @@ static const struct slot *find(const struct journal *j, struct digest key)
 bool journal_find(const struct journal *j, struct digest key, enum journal_line_state *state)
 {
     const struct slot *p = find(j, key);
-    if (p)
+    if (p && state)
         *state = (enum journal_line_state)p->state;
     return p;
 }

@@ -38,7 +38,7 @@ size_t journal_count(const struct journal *j);
 /* How many bytes of the file have been read, all of them complete lines. */
 uint64_t journal_size(const struct journal *j);
 
-/* Sets *state from the last line of the point of that key. False if the point has no line. */
+/* Sets *state, unless NULL, from the last line of the point of that key. False if the point has no line. */
 bool journal_find(const struct journal *j, struct digest key, enum journal_line_state *state);
 /* The record of the point's last line, owned by the caller; NULL if the point has no line. */
 json_t *journal_record(const struct journal *j, struct digest key);

@@ -14,6 +14,8 @@ enum { SESSION, REPORT, POINTS, TRIES = 100, MAX_TEXT = 512 };
 
 struct point_locks {
     int fd;
+    off_t *held; /* the bytes of the points that are locked: the system would grant them again */
+    size_t held_count;
 };
 
 /* Sets or releases the lock on a byte. False if another process has it. */
@@ -75,7 +77,7 @@ static bool enter(const struct point_locks *c, const char *dir, const char *sess
 
 struct point_locks *point_locks_enter(const char *dir, const char *session, char **error)
 {
-    struct point_locks *c = xmalloc(sizeof *c);
+    struct point_locks *c = xcalloc(1, sizeof *c);
     char *path = xasprintf("%s/lock", dir);
     c->fd = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (c->fd < 0)
@@ -89,8 +91,11 @@ struct point_locks *point_locks_enter(const char *dir, const char *session, char
 
 void point_locks_leave(struct point_locks *c)
 {
-    if (c && c->fd >= 0)
+    if (!c)
+        return;
+    if (c->fd >= 0)
         close(c->fd);
+    free(c->held);
     free(c);
 }
 
@@ -106,12 +111,26 @@ bool point_locks_are_held(int folder)
 
 bool point_locks_take(struct point_locks *c, struct digest key)
 {
-    return lock(c, byte_of(key), F_WRLCK);
+    off_t byte = byte_of(key);
+    for (size_t i = 0; i < c->held_count; i++)
+        if (c->held[i] == byte)
+            return false;
+    if (!lock(c, byte, F_WRLCK))
+        return false;
+    c->held = xgrown(c->held, c->held_count, sizeof *c->held);
+    c->held[c->held_count++] = byte;
+    return true;
 }
 
 void point_locks_release(struct point_locks *c, struct digest key)
 {
-    lock(c, byte_of(key), F_UNLCK);
+    off_t byte = byte_of(key);
+    size_t kept = 0;
+    for (size_t i = 0; i < c->held_count; i++)
+        if (c->held[i] != byte)
+            c->held[kept++] = c->held[i];
+    c->held_count = kept;
+    lock(c, byte, F_UNLCK);
 }
 
 bool point_locks_take_report(struct point_locks *c)

@@ -16,8 +16,8 @@ void point_locks_leave(struct point_locks *c);
 /* Does a session have the folder, which is open as a descriptor? */
 bool point_locks_are_held(int folder);
 
-/* Locks the point; false if another process has it. The lock ends with point_locks_release(),
- * point_locks_leave() or the process. */
+/* Locks the point; false if it is locked, by this process or another. The lock ends with
+ * point_locks_release(), point_locks_leave() or the process. */
 bool point_locks_take(struct point_locks *c, struct digest key);
 void point_locks_release(struct point_locks *c, struct digest key);
 /* Takes the lock of the report, which one process of a session writes. False if another process has it. */

@@ -117,9 +117,8 @@ static bool read_stacks(struct page_item *item, const char *path, char **error)
 static bool read_trace(struct page_item *item, const char *path, const struct trace_selection *selection,
                        char **error)
 {
-    static const struct trace_selection ALL = {0};
     item->kind = PAGE_TRACE;
-    item->trace = item->own_trace = trace_load(path, selection ? selection : &ALL, error);
+    item->trace = item->own_trace = trace_load(path, selection, error);
     return item->trace;
 }
 

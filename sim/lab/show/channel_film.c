@@ -82,7 +82,7 @@ static bool add_frame(WebPAnimEncoder *film, cairo_surface_t *surface, uint32_t 
 }
 
 static bool add_all(const struct show *s, WebPAnimEncoder *film, cairo_surface_t *surface, double height,
-                    film_tell *tell, void *ctx)
+                    film_tell *tell)
 {
     struct channel_map m = channel_map_make(s, time_bins_make(s->trace->from, s->trace->to, s->frames));
     struct canvas c = {cairo_create(surface), false, CANVAS_WIDTH, height};
@@ -91,7 +91,7 @@ static bool add_all(const struct show *s, WebPAnimEncoder *film, cairo_surface_t
     for (uint32_t i = 0; added && i < count; i++) {
         draw_frame(&m, &c, i);
         added = add_frame(film, surface, i);
-        tell(ctx, i + 1, count);
+        tell(i + 1, count);
     }
     added = added && WebPAnimEncoderAdd(film, NULL, (int)count * FRAME_MS, NULL);
     cairo_destroy(c.cr);
@@ -105,7 +105,7 @@ static double film_height(const struct show *s)
 }
 
 /* Puts the film together; false if libwebp fails, which is for want of memory. */
-static bool make_film(const struct show *s, WebPData *data, film_tell *tell, void *ctx)
+static bool make_film(const struct show *s, WebPData *data, film_tell *tell)
 {
     double height = film_height(s);
     WebPAnimEncoderOptions options;
@@ -115,13 +115,13 @@ static bool make_film(const struct show *s, WebPData *data, film_tell *tell, voi
     if (!film)
         return false;
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, CANVAS_WIDTH, (int)height);
-    bool made = add_all(s, film, surface, height, tell, ctx) && WebPAnimEncoderAssemble(film, data);
+    bool made = add_all(s, film, surface, height, tell) && WebPAnimEncoderAssemble(film, data);
     cairo_surface_destroy(surface);
     WebPAnimEncoderDelete(film);
     return made;
 }
 
-bool channel_film_write(const struct show *s, const char *path, film_tell *tell, void *ctx, char **error)
+bool channel_film_write(const struct show *s, const char *path, film_tell *tell, char **error)
 {
     struct atomic_file f;
     WebPData data;
@@ -134,7 +134,7 @@ bool channel_film_write(const struct show *s, const char *path, film_tell *tell,
     }
     if (!atomic_file_begin(&f, path, error))
         return false;
-    if (!make_film(s, &data, tell, ctx)) {
+    if (!make_film(s, &data, tell)) {
         WebPDataClear(&data);
         atomic_file_drop(&f);
         *error = xasprintf("%s cannot be made: libwebp failed; try fewer pictures (--frames)", path);

@@ -3,8 +3,8 @@
 #define LAB_SHOW_CHANNEL_FILM_H
 #include "lab/draw/picture_head.h"
 
-/* Writes s->frames pictures of equal intervals, and calls tell(ctx, done, of) after each. False with *error,
+/* Writes s->frames pictures of equal intervals, and calls tell(done, of) after each. False with *error,
  * malloc'd. */
-typedef void film_tell(void *ctx, uint32_t done, uint32_t of);
-bool channel_film_write(const struct show *s, const char *path, film_tell *tell, void *ctx, char **error);
+typedef void film_tell(uint32_t done, uint32_t of);
+bool channel_film_write(const struct show *s, const char *path, film_tell *tell, char **error);
 #endif

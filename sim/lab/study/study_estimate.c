@@ -55,9 +55,8 @@ static double known(const struct study *s, const struct times *t, const struct w
 static size_t with_result(const struct study *s)
 {
     size_t count = 0;
-    enum journal_line_state state;
     for (size_t i = 0; i < s->count; i++)
-        count += journal_find(s->journal, s->work[i].key, &state);
+        count += journal_find(s->journal, s->work[i].key, NULL);
     return count;
 }
 

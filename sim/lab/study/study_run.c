@@ -32,7 +32,7 @@ struct study_session {
     struct task *tasks; /* at_once of them */
     size_t running;
     size_t next; /* index in study->work */
-    bool others; /* in this pass, some points were locked by other processes */
+    bool others; /* in this pass, some points were locked */
     size_t have; /* points with a result */
     double begun_s, cost_left, cost_done;
     struct progress progress;
@@ -198,14 +198,6 @@ static void ended(void *arg, struct pool_job *job)
 
 /* --- which is next -------------------------------------------------------------------------------------- */
 
-static bool is_running(const struct study_session *e, struct digest key)
-{
-    for (size_t i = 0; i < e->study->options.at_once; i++)
-        if (e->tasks[i].used && digest_equal(e->tasks[i].work->key, key))
-            return true;
-    return false;
-}
-
 static struct task *free_task(const struct study_session *e)
 {
     struct task *t = e->tasks;
@@ -253,26 +245,20 @@ static enum pool_next begin(struct study_session *e, const struct work *w, struc
     return POOL_JOB;
 }
 
-static bool has_result(const struct study *s, const struct work *w)
-{
-    enum journal_line_state state;
-    return journal_find(s->journal, w->key, &state);
-}
-
 static enum pool_next next(void *arg, struct pool_job **job)
 {
     struct study_session *e = arg;
     struct study *s = e->study;
     while (!e->error && e->next < s->count) {
         const struct work *w = &s->work[e->next++];
-        if (has_result(s, w))
+        if (journal_find(s->journal, w->key, NULL))
             continue;
-        if (is_running(e, w->key) || !point_locks_take(s->locks, w->key)) {
+        if (!point_locks_take(s->locks, w->key)) {
             e->others = true;
             continue;
         }
         journal_refresh(s->journal); /* the lock's last owner may have run the point */
-        if (!has_result(s, w))
+        if (!journal_find(s->journal, w->key, NULL))
             return begin(e, w, job);
         point_locks_release(s->locks, w->key);
     }

@@ -33,14 +33,13 @@ static void print_line(FILE *out, const struct explain *e, const struct explain_
 
 static void print_part(FILE *out, const struct explain *e, const char *title, const struct explain_part *part)
 {
-    struct explain_line sum = {.label = (char *)"nodes x total"};
+    struct explain_line sum = {(char *)"nodes x total",
+                               {explain_sum(part, EXPLAIN_HOSTS), explain_sum(part, EXPLAIN_SLAVES)}};
     fprintf(out, "\n%s\n", title);
     for (size_t i = 0; i < part->count; i++) {
         const struct explain_line *l = &part->lines[i];
         if (fabs(l->s[EXPLAIN_HOSTS]) + fabs(l->s[EXPLAIN_SLAVES]) >= 0.0005)
             print_line(out, e, l);
-        for (int c = 0; c < EXPLAIN_CLASSES; c++)
-            sum.s[c] += l->s[c];
     }
     if (part == &e->processor) {
         struct explain_line around = around_line(e);

@@ -7,12 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void *zeroed(size_t count, size_t size)
-{
-    void *p = xcalloc(count + 1, size);
-    return p;
-}
-
 static bool is_wanted(unsigned number, const unsigned *wanted)
 {
     for (size_t i = 0; wanted && wanted[i]; i++)
@@ -64,14 +58,14 @@ struct results results_plan(const struct paper *paper, const struct paper_fitted
     size_t rows = 0;
     for (size_t t = 0; t < paper->count; t++)
         rows += paper->tables[t].count;
-    r.tables = zeroed(paper->count, sizeof *r.tables);
-    r.runs = zeroed(rows, sizeof *r.runs);
+    r.tables = xcalloc(paper->count, sizeof *r.tables);
+    r.runs = xcalloc(rows, sizeof *r.runs);
     for (size_t t = 0; t < paper->count; t++) {
         const struct paper_table *table = &paper->tables[t];
         if (!is_wanted(table->number, wanted))
             continue;
         struct result_table *result = &r.tables[r.table_count++];
-        *result = (struct result_table){table, zeroed(table->count, sizeof *result->rows)};
+        *result = (struct result_table){table, xcalloc(table->count, sizeof *result->rows)};
         for (size_t i = 0; i < table->count; i++) {
             result->rows[i] = (struct result_row){&table->rows[i], run_for(&r, &table->rows[i])};
             result->rows[i].run->fitted |= table->rows[i].fitted;
