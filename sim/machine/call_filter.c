@@ -1,5 +1,6 @@
 /* call_filter.c - see call_filter.h. */
 #include "machine/call_filter.h"
+#include <errno.h>
 #include <linux/audit.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -30,6 +31,11 @@ static uint32_t upper(uint64_t address)
 bool call_filter_install(void)
 {
     const struct span_range *usual = &SPAN_RANGES[SPAN_USUAL], *low = &SPAN_RANGES[SPAN_LOW];
+    uintptr_t library = (uintptr_t)prctl;
+    if (library >= usual->from && library < usual->to) { /* the kernel's legacy layout, as by setarch -L */
+        errno = EADDRINUSE;
+        return false;
+    }
     bool simulator_is_low = (uintptr_t)call_filter_install < low->to; /* not a position-independent program */
     struct sock_filter program[] = {
         LOAD(arch),

@@ -9,6 +9,7 @@
 #include <stdbool.h>
 
 /* For the calling thread, threads that it will make, and for good. A refused call gives SIGSYS (crash.h).
- * Returns false with errno if the kernel has no such filter. */
+ * Returns false with errno if the kernel has no such filter, or has put the simulator's libraries where
+ * programs lie. */
 bool call_filter_install(void);
 #endif

@@ -30,6 +30,10 @@ check "a node's own standard streams, whatever the run's are" eval '[ "$("$BUILD
 allowed "temporary files" temporary /tmp/host_files_XXXXXX -
 run -q host_files r none - excl inside - nofollow round - r sub/none/x - mkdir inside - rmdir none -
 check "other errors are answers" bash -c '[ "$(grep -c fails out)" = 6 ]'
+if setarch -L true 2>/dev/null; then
+    setarch -L "$BUILD/touchstone" run -q host_files stat inside - >out 2>err
+    check "also where the kernel puts libraries among the programs" grep -q 'stat works' out
+fi
 cat >numbers.c <<'END'
 #include <stdio.h>
 #include <unistd.h>
