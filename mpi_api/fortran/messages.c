@@ -304,7 +304,8 @@ FORTRAN(alltoallw_init, (EACH, f_int *info, f_int *request, f_int *ierr))
 {
     int ranks = ranks_of(F_COMM(comm));
     MPI_Datatype *list = f_both_types(types, ranks, as, ranks);
-    NEW_WITH_LIST(request, list, MPI_Alltoallw_init(GIVE_EACH, F_HANDLE(MPI_Info, *info), &made));
+    NEW(MPI_Request, request, MPI_Alltoallw_init(GIVE_EACH, F_HANDLE(MPI_Info, *info), &made));
+    free(list);
 }
 
 FORTRAN(reduce_local, (void *in, void *inout, f_int *count, f_int *type, f_int *op, f_int *ierr))

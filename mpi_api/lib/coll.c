@@ -32,7 +32,6 @@ static void take_back(struct comm *c)
 struct prepared {
     struct args args;
     coll_run *run;
-    void *list; /* coll_keep_list */
 };
 
 void args_keep(const struct args *a)
@@ -49,19 +48,34 @@ void args_leave(const struct args *a)
     type_leave(a->as);
 }
 
+/* A copy of a list of datatypes; NULL: of none. */
+static const MPI_Datatype *types_keep(const MPI_Datatype *types, int count)
+{
+    MPI_Datatype *copy = types ? get_memory((size_t)count * sizeof *copy) : NULL;
+    for (int i = 0; copy && i < count; i++)
+        type_keep(copy[i] = types[i]);
+    return copy;
+}
+
+static void types_leave(const MPI_Datatype *types, int count)
+{
+    for (int i = 0; types && i < count; i++)
+        type_leave(types[i]);
+    free((void *)(uintptr_t)types);
+}
+
 void coll_forget(const struct prepared *p)
 {
-    args_leave(&p->args);
-    free(p->list);
+    const struct args *a = &p->args;
+    args_leave(a);
+    types_leave(a->types, a->o.size);
+    types_leave(a->ases, a->o.size);
 }
 
 void coll_keep_list(MPI_Request request, void *list)
 {
     struct request *r = object_of(request, REQUEST);
-    if (r->prepared)
-        r->prepared->list = list;
-    else
-        r->packed = list; /* freed when it is done */
+    r->packed = list; /* freed when it is done */
 }
 
 int coll_prepare(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_run *run,
@@ -79,8 +93,10 @@ int coll_prepare(struct args *a, int call, MPI_Comm comm, coll_run *check, coll_
     a->o.call = CALL_Start;
     struct request *r = request_new();
     struct prepared *p = get_memory(sizeof *p);
-    *p = (struct prepared){*a, run, NULL};
+    *p = (struct prepared){*a, run};
     args_keep(a);
+    p->args.types = types_keep(a->buf == MPI_IN_PLACE ? NULL : a->types, a->o.size);
+    p->args.ases = types_keep(a->ases, a->o.size);
     r->what = COLLECTS, r->persistent = true, r->comm = c, r->prepared = p;
     c->object.users++;
     *request = HANDLE(MPI_Request, r);
