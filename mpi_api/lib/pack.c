@@ -263,7 +263,9 @@ static int set_elements(int call, MPI_Status *status, MPI_Datatype type, MPI_Cou
     const struct type *t = type_of(type);
     if (!t)
         return type_missing(call);
+    int cancelled = status->MPI_internal[2];
     status_set(status, status->MPI_SOURCE, status->MPI_TAG, (size_t)count * t->size);
+    status->MPI_internal[2] = cancelled;
     return MPI_SUCCESS;
 }
 

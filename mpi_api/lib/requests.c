@@ -465,6 +465,17 @@ static void orphan(struct request *r)
     }
 }
 
+/* One that is not complete stays, inactive, until it is. */
+static int free_general(struct request *r)
+{
+    r->active = false;
+    if (!r->count)
+        return MPI_SUCCESS;
+    int code = r->release ? r->release(r->extra) : MPI_SUCCESS;
+    request_drop(r);
+    return code;
+}
+
 CALL(Request_free, (MPI_Request * request))
 {
     struct request *r = object_of(*request, REQUEST);
@@ -476,11 +487,12 @@ CALL(Request_free, (MPI_Request * request))
         return orphan(r), MPI_SUCCESS;
     if (r->what == MOVES)
         wait_for_file(CALL_Request_free, r);
-    int code = r->what == GENERAL && r->count && r->release ? r->release(r->extra) : MPI_SUCCESS;
+    if (r->what == GENERAL)
+        return free_general(r);
     if (r->prepared)
         coll_forget(r->prepared);
     request_drop(r);
-    return code;
+    return MPI_SUCCESS;
 }
 
 CALL(Request_get_status, (MPI_Request request, int *flag, MPI_Status *status))
@@ -548,5 +560,5 @@ CALL(Grequest_complete, (MPI_Request request))
     if (!r || r->what != GENERAL)
         return fail(NULL, CALL_Grequest_complete, MPI_ERR_REQUEST, "no generalized request");
     r->count = 1;
-    return MPI_SUCCESS;
+    return r->active ? MPI_SUCCESS : free_general(r);
 }

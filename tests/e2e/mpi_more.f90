@@ -69,6 +69,11 @@ program more
     call MPI_GET_COUNT(status, MPI_INTEGER, made(1), ierr)
     call MPI_TEST_CANCELLED(status, flag, ierr)
     call expect("grequest_start", made(1) == 5 .and. extra == 6 .and. flag .and. request == MPI_REQUEST_NULL)
+    call MPI_GREQUEST_START(query, release, cancel, extra, request, ierr)
+    known = request
+    call MPI_REQUEST_FREE(request, ierr)
+    call MPI_GREQUEST_COMPLETE(known, ierr)
+    call expect("a freed generalized request ends when it is complete", extra == 7 .and. request == MPI_REQUEST_NULL)
 
     bytes = 40
     call MPI_ALLOC_MEM(bytes, MPI_INFO_NULL, memory, ierr)
@@ -121,7 +126,11 @@ program more
     call MPI_GET_ELEMENTS_X(status, MPI_INTEGER, longs(1), ierr)
     call expect("status_set_elements_x", longs(1) == 3000000000_8)
 
+    call MPI_TYPE_CONTIGUOUS(1, MPI_INTEGER, vector, ierr)
+    call MPI_TYPE_COMMIT(vector, ierr)
+    kinds = vector
     call MPI_ALLTOALLW_INIT(out, counts, places, kinds, into, counts, places, kinds, again, MPI_INFO_NULL, request, ierr)
+    call MPI_TYPE_FREE(vector, ierr)
     do i = 1, 3
         out = [(100 * rank + known * i, known = 0, n - 1)]
         call MPI_START(request, ierr)
@@ -176,8 +185,8 @@ subroutine query(extra, status, ierr)
     use mpi
     integer(kind=MPI_ADDRESS_KIND) :: extra
     integer :: status(MPI_STATUS_SIZE), ierr
-    call MPI_STATUS_SET_ELEMENTS(status, MPI_INTEGER, int(extra), ierr)
     call MPI_STATUS_SET_CANCELLED(status, .true., ierr)
+    call MPI_STATUS_SET_ELEMENTS(status, MPI_INTEGER, int(extra), ierr)
 end subroutine
 
 subroutine release(extra, ierr)
