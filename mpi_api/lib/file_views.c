@@ -58,10 +58,11 @@ MPI_Offset view_end(const struct file *f)
     MPI_Offset behind = size - f->displacement, extent = type_extent(t);
     if (behind <= 0 || extent <= 0 || !etype)
         return size < 0 ? -1 : 0;
-    MPI_Offset bytes = behind / extent * (MPI_Offset)t->size, rest = behind % extent;
+    MPI_Offset bytes = 0;
     for (int k = 0; k < t->runs; k++) {
-        MPI_Offset seen = rest - t->run[k].at, all = (MPI_Offset)t->run[k].bytes;
-        bytes += seen < 0 ? 0 : seen < all ? seen : all;
+        MPI_Offset seen = behind - t->run[k].at, all = (MPI_Offset)t->run[k].bytes;
+        if (seen > 0)
+            bytes += seen / extent * all + (seen % extent < all ? seen % extent : all);
     }
     return (bytes + etype - 1) / etype;
 }

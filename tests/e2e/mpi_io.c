@@ -144,6 +144,13 @@ static void stripes(void)
     MPI_File_seek(file, -19, MPI_SEEK_CUR);
     MPI_File_read(file, got, 4, MPI_INT, MPI_STATUS_IGNORE);
     holds = holds && got[0] == -rank && got[1] == 100 + rank && got[2] == -got[1] && got[3] == 200 + rank;
+    MPI_Type_free(&stripe);
+    MPI_Type_create_hindexed_block(1, 1, &(MPI_Aint){12}, MPI_INT, &stripe); /* lb 12, extent 4 */
+    MPI_Type_commit(&stripe);
+    MPI_File_set_view(file, 0, MPI_INT, stripe, "native", MPI_INFO_NULL);
+    MPI_File_seek(file, 0, MPI_SEEK_END);
+    MPI_File_get_position(file, &place);
+    holds = holds && place == 20 * size - 3;
     MPI_File_close(&file);
     MPI_Type_free(&stripe);
     MPI_Type_free(&spread);
