@@ -65,6 +65,7 @@ end module
 
 program fresh
     use halo
+    use iso_c_binding, only: c_ptr, c_loc, c_associated
     implicit none
     type :: particle
         real(8) :: x
@@ -79,7 +80,9 @@ program fresh
     type(MPI_Status) :: status
     type(MPI_Request) :: request
     integer(MPI_ADDRESS_KIND) :: at(3)
-    integer :: rank, n, token, code, length, step, f(MPI_STATUS_SIZE), square(4, 4), i
+    integer :: rank, n, token, code, length, step, f(MPI_STATUS_SIZE), i
+    integer, target :: square(4, 4)
+    type(c_ptr) :: buffer
     real(8) :: total, began
     logical :: flag
     character(len=MPI_MAX_PROCESSOR_NAME) :: name
@@ -136,6 +139,12 @@ program fresh
     end do
     call MPI_Reduce(sum(g%cell(1:8, 1:16)), total, 1, MPI_DOUBLE_PRECISION, MPI_SUM, 0, g%comm)
 
+    call MPI_Buffer_attach(square, 64)
+    call MPI_Buffer_detach(buffer_addr=buffer, size=length)
+    call expect("the buffer's address", c_associated(buffer, c_loc(square)) .and. length == 64)
+    call MPI_Buffer_attach(square, 64)
+    call PMPI_Buffer_detach(buffer, length, code)
+    call expect("by its second name", c_associated(buffer, c_loc(square)) .and. code == MPI_SUCCESS)
     call MPI_Get_processor_name(resultlen=length, name=name)
     call expect("a name", name(1:length) == trim(name) .and. length > 0)
     call MPI_Comm_set_errhandler(errhandler=MPI_ERRORS_RETURN, comm=MPI_COMM_WORLD)
