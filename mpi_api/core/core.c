@@ -55,9 +55,11 @@ static void about(struct node *n, const struct nxm_envelope *e)
 /* --- sending --- */
 
 /* The library numbers contexts in an int, each node's so far apart as there are nodes (lib/comms.c): they can
- * run out. */
-static __attribute__((noinline, cold)) void fail_context(struct node *n)
+ * run out. A length is negative if a program's count is, or a product of counts does not fit an int. */
+static __attribute__((noinline, cold)) void fail_outgoing(struct node *n, const struct nxm_envelope *e)
 {
+    if (e->context >= 0)
+        node_fail(n, "%s: a count is negative, or the parts that the rank passes on have 2 GB", n->call.name);
     node_fail(
         n,
         "%s: the communicator's number is too large: with %u processes, each can begin %u communicators, "
@@ -68,8 +70,8 @@ static __attribute__((noinline, cold)) void fail_context(struct node *n)
 static struct outgoing outgoing_of(struct node *n, const struct nxm_envelope *e, const void *buf, long len,
                                    int held)
 {
-    if (e->context < 0)
-        fail_context(n);
+    if ((e->context | len) < 0)
+        fail_outgoing(n, e);
     return (struct outgoing){.type = e->tag,
                              .buf = buf,
                              .len = len,

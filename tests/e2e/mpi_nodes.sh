@@ -69,6 +69,8 @@ int main(int argc, char **argv)
     MPI_Init(&argc, &argv);
     MPI_Dist_graph_create_adjacent(MPI_COMM_WORLD, 1, &rank, MPI_UNWEIGHTED, 1, &rank, MPI_UNWEIGHTED, MPI_INFO_NULL, 0, &graph);
     MPI_Dist_graph_neighbors(graph, 1, &rank, MPI_UNWEIGHTED, 1, &rank, MPI_UNWEIGHTED);
+    if (argc > 2)
+        return MPI_Allgatherv(&argc, 1, MPI_INT, (int[2]){0}, (int[]){1, -1}, (int[]){0, 1}, MPI_INT, MPI_COMM_WORLD);
     return argc > 1 ? MPI_Comm_size(MPI_COMM_NULL, &rank) : MPI_Waitall(-1, NULL, MPI_STATUSES_IGNORE);
 }' >null.c
 check "MPI_UNWEIGHTED gives no warnings" bin/mpicc -O2 -Wall -Wextra -Werror -o null null.c
@@ -76,6 +78,8 @@ run -q -n 1 null size
 check "a null communicator: the call that core does not know, too" said 's: MPI_Comm_size: the communicator is null, or freed'
 run -q -n 1 null
 check "a negative count of requests" said 'a count is negative'
+run -q -n 2 null size each
+check "one of a list of counts is negative" said 's: MPI_Allgatherv: a count is negative'
 check "none is called MPI_Other" eval '! said Other'
 run -q -n 4 mpi_nodes long
 check "a message too long: both lengths" said 'MPI_Recv: the message of tag 9 from rank 0 has 9 bytes, but the buffer only 2'
