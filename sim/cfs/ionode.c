@@ -6,7 +6,7 @@
 #include "cfs/block_cache.h"
 #include "kernel/xalloc.h"
 
-/* Of a file on a disk: by node, the block read last, plus 1; 0: none. */
+/* The blocks of a file on a disk that were read last: by node, a block plus 1; 0: none. */
 struct last_read {
     uint32_t file; /* its id then */
     uint64_t *block;

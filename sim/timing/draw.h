@@ -42,7 +42,7 @@ struct draw_node {
     uint32_t behind;      /* pct: so many nodes have a higher priority */
 };
 
-/* Those of all nodes, malloc'd. */
+/* The draws of all nodes, malloc'd. */
 struct draw_node *draw_nodes(const struct draw *d, uint32_t nodes);
 /* By how many parts per million the node computes slower; how much later its program starts, its k-th message
  * leaves, its k-th handler becomes due. k counts from 0. */

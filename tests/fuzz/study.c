@@ -2,7 +2,7 @@
 #include <jansson.h>
 #include <stdlib.h>
 #include "fuzz.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 #include "lab/study/points.h"
 #include "lab/study/spec_read.h"
 

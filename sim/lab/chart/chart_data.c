@@ -10,7 +10,7 @@
 #include "kernel/xalloc.h"
 #include "lab/chart/record.h"
 #include "lab/jobs/outcome.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 #include <math.h>
 #include <stdlib.h>

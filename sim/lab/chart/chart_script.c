@@ -8,7 +8,7 @@
 #include "lab/chart/chart_layout.h"
 #include "lab/chart/chart_marks.h"
 #include "lab/chart/chart_style.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -8,7 +8,7 @@
 #include "files/virtual_time.h"
 #include "kernel/xalloc.h"
 #include "lab/chart/chart_data.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 #include <ctype.h>
 #include <limits.h>

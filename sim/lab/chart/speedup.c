@@ -5,7 +5,7 @@
 #include "lab/chart/chart_data.h"
 #include "lab/chart/record.h"
 #include "lab/jobs/outcome.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 #include <math.h>
 #include <stdlib.h>

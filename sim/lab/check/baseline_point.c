@@ -3,7 +3,7 @@
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
 #include "lab/jobs/outcome.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 #include <math.h>
 #include <stdbool.h>

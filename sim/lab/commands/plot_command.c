@@ -10,7 +10,7 @@
 #include "kernel/xalloc.h"
 #include "lab/chart/chart.h"
 #include "lab/chart/speedup.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 #include "lab/study/spec.h"
 #include "lab/study/spec_read.h"
 

@@ -6,7 +6,7 @@
 #include "cli/commands.h"
 #include "lab/commands/lab_commands.h"
 #include "kernel/xalloc.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 /* A machine file that is named relative to the folder of the run, as a path from anywhere; or its name.
  * malloc'd. */

@@ -18,7 +18,7 @@
 #include "lab/commands/run_again.h"
 #include "lab/commands/standard_input.h"
 #include "lab/jobs/own_folder.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 #include "lab/sensitivity/sensitivity_report.h"
 #include "observe/json_file.h"
 

@@ -10,7 +10,7 @@
 #include "lab/explore/run_order.h"
 #include "lab/jobs/own_folder.h"
 #include "lab/jobs/process_pool.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 #include "lab/study/point_run.h"
 
 /* A run that is under way, and its files. */

@@ -5,7 +5,7 @@
 #include <string.h>
 #include "kernel/xalloc.h"
 #include "lab/explore/words_of.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 void delays_free(struct delays *d)
 {

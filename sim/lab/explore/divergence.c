@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include "kernel/xalloc.h"
 #include "lab/explore/words_of.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 static void earlier(struct divergence *best, struct divergence d)
 {

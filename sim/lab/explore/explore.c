@@ -8,7 +8,7 @@
 #include "kernel/xalloc.h"
 #include "lab/explore/run_verdict.h"
 #include "lab/jobs/own_folder.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 const char EXPLORE_TIMES_HINT[] =
     "Runs of one order have different outputs. If the program prints times, choose the lines that must be\n"

@@ -7,7 +7,7 @@
 #include "files/text_file.h"
 #include "kernel/xalloc.h"
 #include "lab/jobs/digest.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 enum { MOST_SHOWN = 4096 };
 static const char NO_FILE[] = "digest of the file: there is none\n";

@@ -9,7 +9,7 @@
 #include "files/atomic_file.h"
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 #include "lab/study/inputs.h"
 
 /* --- what a run depends on ------------------------------------------------------------------------------ */

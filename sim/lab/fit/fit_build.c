@@ -5,7 +5,7 @@
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
 #include "lab/jobs/process_pool.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 #include <limits.h>
 #include <stdlib.h>

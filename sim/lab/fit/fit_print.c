@@ -1,7 +1,7 @@
 /* fit_print.c - the result of a fit as text for people; see fit_parts.h. */
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
 #include "lab/jobs/outcome.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 #include "lab/study/spec_read.h"
 
 #include <assert.h>

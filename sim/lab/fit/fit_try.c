@@ -6,7 +6,7 @@
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
 #include "lab/jobs/outcome.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 #include <math.h>
 #include <stdlib.h>

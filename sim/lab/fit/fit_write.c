@@ -3,7 +3,7 @@
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
 #include "lab/fit/fit_parts.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 #include <math.h>
 #include <stdlib.h>

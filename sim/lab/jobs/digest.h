@@ -16,7 +16,7 @@ struct digest digest_of(const void *bytes, size_t size);
 /* The digest of a file's bytes. False with errno. */
 bool digest_file(const char *path, struct digest *d);
 
-/* Of a value as JSON, whatever the order of its members. */
+/* The digest of a value as JSON, whatever the order of its members. */
 struct digest digest_of_json(const json_t *value);
 
 /* To and from hexadecimal digits; digest_read() does not need a 0 after them. */

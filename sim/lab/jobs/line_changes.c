@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 /* How often a line of that length is in the text before `end`. */
 static int count_of(const char *text, const char *end, const char *line, size_t length)

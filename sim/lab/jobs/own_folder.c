@@ -10,7 +10,7 @@
 #include <unistd.h>
 #include "files/left_over.h"
 #include "kernel/xalloc.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 /* Has the file changed after that time? What is no file has not. */
 static bool is_later(const char *path, const struct timespec *time)

@@ -7,7 +7,7 @@
 #include "lab/jobs/own_folder.h"
 #include "lab/jobs/process_pool.h"
 #include "lab/jobs/progress.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 struct child {
     char **argv;

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "kernel/xalloc.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 /* A key's end tells the unit and the least step that counts: a picosecond, a hertz, one. */
 static const struct unit {

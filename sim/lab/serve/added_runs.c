@@ -7,7 +7,7 @@
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
 #include "lab/jobs/outcome.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 #include "lab/serve/point_request.h"
 
 enum { MOST_REMEMBERED = 32 };

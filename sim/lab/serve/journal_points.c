@@ -7,7 +7,7 @@
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
 #include "lab/jobs/journal_line.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 #include "lab/page/page_item.h"
 #include "lab/study/point_run.h"
 

@@ -3,7 +3,7 @@
 #include "config/config.h"
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 #include "net/topo.h"
 
 #include <gnu/libc-version.h>

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include "files/json_set.h"
 #include "kernel/xalloc.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 #include "lab/study/point_figures.h"
 
 char **point_run_argv(const struct spec *spec, const struct inputs *inputs, const struct point *p,

@@ -3,7 +3,7 @@
 #include "files/json_set.h"
 #include "files/number.h"
 #include "kernel/xalloc.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 #include <math.h>
 #include <stdlib.h>

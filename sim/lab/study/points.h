@@ -2,7 +2,7 @@
  * axis changing fastest, without the points that the study leaves out. */
 #ifndef LAB_STUDY_POINTS_H
 #define LAB_STUDY_POINTS_H
-#include "lab/jobs/words.h"
+#include "files/words.h"
 #include "lab/study/spec.h"
 
 #include <jansson.h>

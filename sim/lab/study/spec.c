@@ -1,7 +1,7 @@
 /* spec.c - see spec.h. */
 #include "lab/study/spec.h"
 #include "kernel/xalloc.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 #include <math.h>
 #include <stdio.h>

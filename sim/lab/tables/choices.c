@@ -2,7 +2,7 @@
 #include "lab/tables/choices.h"
 #include "files/atomic_file.h"
 #include "kernel/xalloc.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #include "kernel/xalloc.h"
 #include "lab/jobs/process_pool.h"
 #include "lab/jobs/progress.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 #include "lab/tables/runs_journal.h"
 #include "lab/tables/tables.h"
 

@@ -2,7 +2,7 @@
 #include "lab/tables/tie_sensitivity.h"
 #include "config/config.h"
 #include "kernel/xalloc.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 #include <math.h>
 #include <stddef.h>

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "files/words.h"
 #include "kernel/xalloc.h"
 #include "lab/trace/trace_parts.h"
 #include "trace/trace_format.h"
@@ -36,13 +37,6 @@ static char **words_of(const json_t *list)
         words[i] = xstrdup(word ? word : "");
     }
     return words;
-}
-
-static void free_words(char **words)
-{
-    for (char **word = words; word && *word; word++)
-        free(*word);
-    free(words);
 }
 
 static void read_command(struct trace *t, const json_t *list)
@@ -505,8 +499,8 @@ void trace_free(struct trace *t)
         return;
     for (int32_t i = 0; i < t->name_count; i++)
         free(t->names[i]);
-    free_words(t->argv);
-    free_words(t->layer);
+    words_free(t->argv);
+    words_free(t->layer);
     void *const parts[] = {t->path,    t->program,  t->machine, t->command,  t->folder,
                            t->version, t->names,    t->classes, t->nodes,    t->calls,
                            t->waits,   t->handlers, t->systems, t->messages, t->blocks};

@@ -2,7 +2,7 @@
 #include "lab/why/rerun_changes.h"
 #include "files/folder_make.h"
 #include "kernel/xalloc.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 
 enum { MOST_KEYS = 12, MOST_CHANGES = 12 };
 static const double FASTEST_MHZ = 100000; /* the most that a machine file may say */

@@ -6,7 +6,7 @@
 #include "files/ink.h"
 #include "files/number.h"
 #include "kernel/xalloc.h"
-#include "lab/jobs/words.h"
+#include "files/words.h"
 #include "lab/why/path_shares.h"
 #include "lab/why/why_sentences.h"
 #include "lab/why/why_unit.h"

@@ -170,7 +170,8 @@ function showScale(line, matrix, figureName) {
     const ramp = element('span', {class: 'ramp'});
     ramp.style.background =
         `linear-gradient(to right, ${d3.range(9).map(i => matrixRamp(0.12 + i / 8 * 0.88)).join(', ')})`;
-    line.replaceChildren(`${Math.min(1, matrix.most)} `, ramp, ` ${grouped(String(matrix.most))} ${figureName}`);
+    line.replaceChildren(
+        `${Math.min(1, matrix.most)} `, ramp, ` ${grouped(String(matrix.most))} ${figureName}`);
 }
 
 function pairsTable(trace) {

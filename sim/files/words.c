@@ -1,5 +1,5 @@
 /* words.c - see words.h. */
-#include "lab/jobs/words.h"
+#include "files/words.h"
 #include "kernel/xalloc.h"
 
 #include <stdarg.h>

@@ -1,7 +1,7 @@
 /* words.h - lists of words, such as arguments and settings; and texts that grow or have holes to be
  * filled. */
-#ifndef LAB_JOBS_WORDS_H
-#define LAB_JOBS_WORDS_H
+#ifndef FILES_WORDS_H
+#define FILES_WORDS_H
 
 /* A list of malloc'd words ends with NULL; an empty list is NULL. Adding takes over the malloc'd text: as one
  * word, or split at its blanks. */
