@@ -46,18 +46,16 @@ static void begin(struct argp_state *state, struct cli_program *p)
 }
 
 /* What follows the program's name is the program's, up to other programs. */
-static void take_program(struct argp_state *state, struct cli_program *p)
+static void take_programs(struct argp_state *state, struct cli_program *p)
 {
     p->program = state->argv + state->next;
     p->program_count = state->argc - state->next;
-    p->first_count = named_program_words(p->program, p->program_count);
-    for (int i = p->first_count; i < p->program_count;) {
-        char **words = p->program + i + 3;
-        int count = named_program_words(words, p->program_count - i - 3);
-        p->more = xreallocarray(p->more, p->more_count + 1, sizeof *p->more);
-        p->more[p->more_count++] = (struct named_program){
-            cli_whole(state, "-n", "a number of nodes", UINT32_MAX, words[-1]), count, words};
-        i += 3 + count;
+    for (int i = 0, count; i < p->program_count; i += count + 3) {
+        char **words = p->program + i;
+        count = named_program_words(words, p->program_count - i);
+        p->programs = xgrown(p->programs, p->programs_count, sizeof *p->programs);
+        p->programs[p->programs_count++] = (struct named_program){
+            i ? cli_whole(state, "-n", "a number of nodes", UINT32_MAX, words[-1]) : 0, count, words};
     }
 }
 
@@ -72,18 +70,25 @@ static void ask_for_program(struct argp_state *state)
         argp_error(state, "which program? (built by nxcc)");
 }
 
+static uint64_t all_nodes(const struct cli_program *p)
+{
+    uint64_t all = p->nodes;
+    for (size_t i = 1; i < p->programs_count; i++)
+        all += p->programs[i].nodes;
+    return all;
+}
+
 static void check(struct argp_state *state, struct cli_program *p)
 {
     if (!p->host && !p->program_count)
         ask_for_program(state);
     if (!p->host && !p->nodes)
         p->nodes = 1;
-    if (p->host && p->more_count)
+    if (p->programs_count)
+        p->programs[0].nodes = p->nodes;
+    if (p->host && p->programs_count > 1)
         argp_error(state, "with --host, HOST loads the nodes: no ': -n NODES PROGRAM'");
-    uint64_t all = p->nodes;
-    for (size_t i = 0; i < p->more_count; i++)
-        all += p->more[i].nodes;
-    if (all > UINT32_MAX)
+    if (all_nodes(p) > UINT32_MAX)
         argp_error(state, "the programs have more nodes than a machine can have");
     if (!p->machine)
         p->machine = p->host ? CFG_USUAL_HOST_MACHINE : CFG_USUAL_MACHINE;
@@ -106,7 +111,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         p->max_unreceived_mb =
             cli_whole(state, "--max-unreceived", "a number of MB", MOST_UNRECEIVED_MB, arg);
     else if (key == ARGP_KEY_ARGS)
-        take_program(state, p);
+        take_programs(state, p);
     else if (key == ARGP_KEY_END)
         check(state, p);
     else
@@ -130,19 +135,14 @@ static bool find(struct cli_program *p, char **name, const char *brought, bool v
 
 uint32_t cli_program_nodes(const struct cli_program *p)
 {
-    uint32_t all = p->nodes;
-    for (size_t i = 0; i < p->more_count; i++)
-        all += p->more[i].nodes;
-    return all;
+    return (uint32_t)all_nodes(p);
 }
 
 bool cli_program_find(struct cli_program *p, const char *brought, bool verbose, char **error)
 {
     *error = NULL;
-    if (p->program_count && !find(p, &p->program[0], brought, verbose, error))
-        return false;
-    for (size_t i = 0; i < p->more_count; i++)
-        if (!find(p, &p->more[i].argv[0], brought, verbose, error))
+    for (size_t i = 0; i < p->programs_count; i++)
+        if (!find(p, &p->programs[i].argv[0], brought, verbose, error))
             return false;
     char *host = (char *)(uintptr_t)p->host;
     if (host && !find(p, &host, brought, verbose, error))
@@ -154,7 +154,7 @@ bool cli_program_find(struct cli_program *p, const char *brought, bool verbose, 
 void cli_program_free(struct cli_program *p)
 {
     free(p->set);
-    free(p->more);
+    free(p->programs);
     for (size_t i = 0; i < p->found_count; i++)
         free(p->found[i]);
     free(p->found);

@@ -14,11 +14,10 @@ struct cli_program {
     double max_virtual_s, max_wall_s; /* 0: not said */
     uint32_t max_unreceived_mb;       /* 0: not said */
     char **program;                   /* with its arguments; without a host, there is one */
-    int program_count, first_count;   /* first: up to other programs */
-    /* Without a host: other programs, on the nodes after the program's, as `-n 1 PROGRAM : -n 4 OTHER` names
-     * them. They stand among the program's words, too. */
-    struct named_program *more;
-    size_t more_count;
+    int program_count;
+    /* The programs among these words: the one, and others, as `-n 1 PROGRAM : -n 4 OTHER` names them. */
+    struct named_program *programs;
+    size_t programs_count;
     char **found; /* paths of programs that are not where they were named */
     size_t found_count;
 };

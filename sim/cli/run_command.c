@@ -52,9 +52,9 @@ struct arguments {
     struct cli_host_files host_files;
     char **layer; /* ended by NULL; NULL: none */
     size_t layer_count;
-    struct plan *plan;  /* of timing.replay */
-    char **host_words;  /* the host program's arguments, with its name; NULL: no host */
-    char **environment; /* as programs get it */
+    struct plan *plan;            /* of timing.replay */
+    struct named_program on_host; /* the host program, whose list of arguments is malloc'd; NULL: no host */
+    char **environment;           /* as programs get it */
 };
 
 static const struct argp_option OPTIONS[] = {
@@ -157,7 +157,7 @@ static void check(struct argp_state *state, struct arguments *a)
         argp_error(state, "%s has room for one result, and two are to be written there", twice);
     if (a->engine && !cli_is_engine(a->engine))
         argp_error(state, "--engine takes 'fast' or 'reference', not '%s'", a->engine);
-    if ((a->what.host || a->what.more_count) && a->profile)
+    if ((a->what.host || a->what.programs_count > 1) && a->profile)
         argp_error(state, "--profile is for one program that is on all nodes from the start%s",
                    a->what.host ? ", not with --host" : "");
     if (!a->trace.path && (a->trace.from || a->trace.to || a->traced_nodes))
@@ -369,13 +369,13 @@ static int unprofiled(const char *program)
 static void give_to_host(struct arguments *a, struct machine_options *o)
 {
     const int count = a->what.program_count;
-    a->host_words = xcalloc((size_t)count + 2, sizeof *a->host_words);
+    char **words = xcalloc((size_t)count + 2, sizeof *words);
     for (int i = 1; i < count; i++)
-        a->host_words[i] = a->what.program[i];
-    a->host_words[0] = (char *)(uintptr_t)a->what.host;
+        words[i] = a->what.program[i];
+    words[0] = (char *)(uintptr_t)a->what.host;
+    a->on_host = (struct named_program){.argc = count ? count : 1, .argv = words};
     o->program = count ? a->what.program[0] : NULL;
-    o->argc = count ? count : 1;
-    o->argv = a->host_words;
+    o->programs = &a->on_host, o->program_count = 1;
 }
 
 /* A node's locale is "C", whatever the user's is: programs get the environment without that. */
@@ -396,10 +396,8 @@ static struct machine_options options_of(struct arguments *a, const struct cfg_m
     const struct result_paths results = results_of(a);
     struct machine_options o = {.cfg = cfg,
                                 .nodes = cli_program_nodes(&a->what),
-                                .argc = a->what.first_count,
-                                .argv = a->what.program,
-                                .more = a->what.more,
-                                .more_count = a->what.more_count,
+                                .programs = a->what.programs,
+                                .program_count = a->what.programs_count,
                                 .host = a->what.host,
                                 .envp = a->environment = environment_of_programs(),
                                 .max_virtual_s = a->what.max_virtual_s,
@@ -596,7 +594,7 @@ int cli_run(int argc, char **argv)
     else
         status = run(&a);
     cli_program_free(&a.what);
-    free(a.host_words);
+    free(a.on_host.argv);
     free(a.environment);
     free(a.host_files.list);
     free(a.traced_nodes);

@@ -135,9 +135,10 @@ static bool make_host(struct machine *m, char **error)
     cube_new(s, &(struct cube_options){.most = s->count,
                                        .given = o->nodes > 0,
                                        .program = o->program,
-                                       .host = o->argv[0],
+                                       .host = o->programs[0].argv[0],
                                        .envp = o->envp});
-    s->host = node_new_host(s, topo_host(&s->topo), m->images[0], o->argc, o->argv, o->envp, error);
+    s->host = node_new_host(s, topo_host(&s->topo), m->images[0], o->programs[0].argc, o->programs[0].argv,
+                            o->envp, error);
     if (!s->host)
         return false;
     s->running = 1;
@@ -167,32 +168,18 @@ static bool open_image(struct machine *m, const char *path, char **error)
     return true;
 }
 
-static const char *path_of(const struct machine_options *o, size_t program)
-{
-    return program ? o->more[program - 1].argv[0] : o->argv[0];
-}
-
 /* Opens all programs before the first node has one: what they call decides how nodes run. */
 static bool open_images(struct machine *m, char **error)
 {
     struct node_system *s = &m->sys;
-    for (size_t i = 0; i <= m->options.more_count; i++)
-        if (!open_image(m, path_of(&m->options, i), error))
+    for (size_t i = 0; i < m->options.program_count; i++)
+        if (!open_image(m, m->options.programs[i].argv[0], error))
             return false;
     for (size_t i = 0; i < m->image_count; i++) {
         s->flushes |= node_image_uses(m->images[i], "flushmsg") || node_image_uses(m->images[i], "_flushmsg");
         s->main_tells |= node_image_uses(m->images[i], "nxm_number");
     }
     return true;
-}
-
-/* The program of the nodes before those of the other ones. */
-static struct named_program first_program(const struct machine_options *o)
-{
-    struct named_program first = {o->nodes, o->argc, o->argv};
-    for (size_t i = 0; i < o->more_count; i++)
-        first.nodes -= o->more[i].nodes;
-    return first;
 }
 
 static bool load_program(struct machine *m, const struct named_program *p, uint32_t program, uint32_t begin,
@@ -214,17 +201,14 @@ static bool make_nodes(struct machine *m, char **error)
 {
     const struct machine_options *o = &m->options;
     if (o->host)
-        return open_image(m, o->argv[0], error) && make_host(m, error);
+        return open_image(m, o->programs[0].argv[0], error) && make_host(m, error);
     if (!open_images(m, error))
         return false;
     m->sys.nodes = xcalloc(m->sys.count, sizeof *m->sys.nodes);
     uint32_t begin = 0;
-    for (uint32_t i = 0; i <= o->more_count; i++) {
-        struct named_program p = i ? o->more[i - 1] : first_program(o);
-        if (!load_program(m, &p, i, begin, error))
+    for (uint32_t i = 0; i < o->program_count; begin += o->programs[i++].nodes)
+        if (!load_program(m, &o->programs[i], i, begin, error))
             return false;
-        begin += p.nodes;
-    }
     return true;
 }
 
@@ -243,7 +227,7 @@ static vtime limit_of(const struct machine_options *o)
 
 struct machine *machine_new(const struct machine_options *options, char **error)
 {
-    assert(options->cfg && options->argc > 0);
+    assert(options->cfg && options->program_count > 0);
     double begin = hostclock_s();
     struct machine *m = xcalloc(1, sizeof *m);
     m->options = *options;
@@ -334,9 +318,10 @@ void machine_free(struct machine *m)
 uint32_t machine_program_sum(const struct machine *m)
 {
     uint32_t sum = 0;
-    for (size_t i = 0; i <= m->options.more_count; i++) {
-        sum = sum * 31 + elf_loaded_sum(node_image_elf(image_at(m, path_of(&m->options, i))));
-        sum += i ? m->options.more[i - 1].nodes : 0;
+    for (size_t i = 0; i < m->options.program_count; i++) {
+        const struct named_program *p = &m->options.programs[i];
+        sum = sum * 31 + elf_loaded_sum(node_image_elf(image_at(m, p->argv[0])));
+        sum += i ? p->nodes : 0;
     }
     return sum;
 }

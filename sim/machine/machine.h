@@ -13,10 +13,9 @@ struct machine_options {
     uint32_t nodes;      /* 0 with host: all that the machine has, of which the host program gets some */
     bool host;           /* the program runs on the host, gets nodes, and loads other programs on them */
     const char *program; /* with host: what the host program may load by name alone; NULL: nothing */
-    int argc;            /* arguments of the program; argv[0] is its path */
-    char **argv, **envp;
-    const struct named_program *more; /* other programs, on the last of the nodes; without host */
-    size_t more_count;
+    const struct named_program *programs; /* in the order of their nodes; with host, one: the host's */
+    size_t program_count;
+    char **envp;
     double max_virtual_s;  /* 0: none */
     vtime until;           /* the run stops then, and reports where the nodes are; 0: at no time */
     double max_wall_s;     /* 0: none */

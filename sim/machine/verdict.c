@@ -75,7 +75,7 @@ static char *explain(struct machine *m, const char *head, const char *more)
     size_t size;
     FILE *f = xchecked(open_memstream(&text, &size));
     m->waits = waits_for(&m->sys);
-    m->waits->program = waitfor_text(m->waits, m->options.argv[0]);
+    m->waits->program = waitfor_text(m->waits, m->options.programs[0].argv[0]);
     fprintf(f, "%s%s\n", head, more);
     waitfor_write_text(m->waits, f);
     fclose(f);

@@ -26,7 +26,7 @@ static json_t *head(const struct machine *m, const struct run_trace_options *o)
     json_set(root, "version", json_text(o->version));
     json_set(root, "command", json_texts(o->command));
     json_set(root, "folder", json_text(folder ? folder : ""));
-    json_set(root, "program", json_text(m->options.argv[0]));
+    json_set(root, "program", json_text(m->options.programs[0].argv[0]));
     json_set(root, "machine", json_text(m->sys.cfg->name));
     json_set(root, "settings", json_texts(m->sys.cfg->set));
     json_set(root, "nodes", json_integer(machine_nodes(m)));

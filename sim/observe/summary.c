@@ -274,10 +274,10 @@ static json_t *machine_json(const struct machine *m, const struct race_reports *
     snprintf(digest, sizeof digest, "%016" PRIx64, m->sys.digest);
     json_t *root = json_pack(
         "{s:s, s:o, s:o, s:i, s:s, s:f, s:f, s:s, s:I, s:I, s:o, s:o, s:o}", "format", "touchstone run 1",
-        "program", json_text(m->options.argv[0]), "machine", json_text(m->sys.cfg->name), "nodes",
+        "program", json_text(m->options.programs[0].argv[0]), "machine", json_text(m->sys.cfg->name), "nodes",
         (int)machine_nodes(m), "outcome", OUTCOMES[m->outcome], "virtual_time_s", vt_seconds(m->end),
         "wall_time_s", m->wall_s, "digest", digest, "messages", (json_int_t)m->sys.messages, "bytes",
-        (json_int_t)m->sys.bytes, "arguments", json_texts(m->options.argv + 1), "settings",
+        (json_int_t)m->sys.bytes, "arguments", json_texts(m->options.programs[0].argv + 1), "settings",
         json_texts(m->sys.cfg->set), "host_files", json_texts(m->sys.host_files));
     json_t *nodes = json_array();
     struct backtrace_lines *lines = backtrace_lines_new();

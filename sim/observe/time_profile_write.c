@@ -155,12 +155,12 @@ char *profile_json(const struct profile *p, const struct machine *m, const char 
     for (int c = 0; c < PROFILE_CLASSES; c++)
         if (p->times[c].nodes)
             json_set(classes, CLASS[c], class_json(p, c));
-    json_t *root = json_pack("{s:s, s:o, s:o, s:o, s:i, s:f, s:s, s:i, s:I, s:o, s:o, s:I, s:o}", "format",
-                             "touchstone profile 1", "program", json_text(m->options.argv[0]), "arguments",
-                             json_texts(m->options.argv + 1), "machine", json_text(m->sys.cfg->name), "nodes",
-                             (int)m->sys.count, "virtual_time_s", vt_seconds(p->end), "digest", digest,
-                             "units_per_clock", NXC_UNITS_PER_CLOCK, "units_per_second",
-                             (json_int_t)p->units_per_second, "classes", classes, "functions", functions,
-                             "end_ps", (json_int_t)p->end, "tree", call_tree_json(&p->tree));
+    json_t *root = json_pack(
+        "{s:s, s:o, s:o, s:o, s:i, s:f, s:s, s:i, s:I, s:o, s:o, s:I, s:o}", "format", "touchstone profile 1",
+        "program", json_text(m->options.programs[0].argv[0]), "arguments",
+        json_texts(m->options.programs[0].argv + 1), "machine", json_text(m->sys.cfg->name), "nodes",
+        (int)m->sys.count, "virtual_time_s", vt_seconds(p->end), "digest", digest, "units_per_clock",
+        NXC_UNITS_PER_CLOCK, "units_per_second", (json_int_t)p->units_per_second, "classes", classes,
+        "functions", functions, "end_ps", (json_int_t)p->end, "tree", call_tree_json(&p->tree));
     return json_file_write(root, path);
 }

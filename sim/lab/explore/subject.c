@@ -46,9 +46,9 @@ static bool add_machine(json_t *to, const struct subject *s, char **error)
 static bool add_other_programs(json_t *to, const struct subject_options *o, char **error)
 {
     bool added = true;
-    for (size_t i = 0; i < o->more_count && added; i++) {
-        char *key = xasprintf("program %zu", i);
-        added = digest_set_file(to, key, o->more[i].argv[0], error);
+    for (size_t i = 1; i < o->programs_count && added; i++) {
+        char *key = xasprintf("program %zu", i - 1);
+        added = digest_set_file(to, key, o->programs[i].argv[0], error);
         free(key);
     }
     return added;

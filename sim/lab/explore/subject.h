@@ -20,8 +20,8 @@ struct subject_options {
         *host_files;      /* of --host-files, ended by NULL; or NULL. Runs find them in the environment */
     char *const *program; /* with its arguments; count of them */
     int program_count;
-    const struct named_program *more; /* other programs, which stand among these words */
-    size_t more_count;
+    const struct named_program *programs; /* those among these words */
+    size_t programs_count;
     unsigned nodes;             /* of the first program; 0: as many as the host program asks for */
     double max_virtual_s;       /* of a run; 0: no limit */
     unsigned max_unreceived_mb; /* as in run --max-unreceived; 0: the usual */
