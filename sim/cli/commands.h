@@ -11,7 +11,7 @@ int cli_srm(int argc, char **argv);
 
 /* What a command line of touchstone run asks for, without where its results go. The texts are argv's. */
 struct cli_run_parts {
-    struct cli_program what; /* the caller frees its list of settings */
+    struct cli_program what; /* the caller frees it: cli_program_free() */
     const char *cfs, *json;  /* NULL: not given */
     const char **host_files; /* of --host-files, ended by NULL; NULL: none. The caller frees the list */
 };

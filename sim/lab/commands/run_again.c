@@ -57,7 +57,7 @@ bool run_again_from(const struct trace *t, const struct cli_installation *places
     struct cli_run_parts parts;
     cli_run_read(argc - 1, t->argv + 1, &parts);
     bool good = run_again_of(&parts, t->folder, places, again, error);
-    free(parts.what.set);
+    cli_program_free(&parts.what);
     free(parts.host_files);
     return good;
 }
